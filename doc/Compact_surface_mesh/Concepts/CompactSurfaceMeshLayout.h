@@ -1,0 +1,138 @@
+/*!
+\ingroup PkgCompactSurfaceMeshConcepts
+\cgalConcept
+
+The concept `CompactSurfaceMeshLayout` describes how the connectivity of a
+`CGAL::Compact_surface_mesh` is stored. A layout owns nothing but connectivity:
+it knows neither points nor properties, and it never changes after construction.
+
+A layout numbers its own vertices, halfedges, edges and faces from 0 without
+holes; nothing outside the layout depends on how it does so. All queries are
+`const`, free of hidden caches, and may be made from several threads at once.
+Queries have the precondition that their argument is smaller than the number
+of elements of that kind; this is not checked.
+
+Orientation is as in `FaceGraph`: a face lies to the left of its halfedges,
+`next()` goes counterclockwise around the face.
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Schnyder_parents_layout<References, Index_>}
+\cgalHasModels{CGAL::Corner_table_layout<Index_>}
+\cgalHasModelsEnd
+
+\sa `CGAL::Compact_surface_mesh`
+*/
+class CompactSurfaceMeshLayout {
+public:
+
+/// \name Types
+/// @{
+
+/// An unsigned integer type, wide enough for all indices of the mesh.
+typedef unspecified_type Index;
+
+/// @}
+
+/// \name Constants
+/// @{
+
+/// whether `edge(h) == h / 2` and `opposite(h) == (h ^ 1)` for all halfedges, so that
+/// an edge is named by any of its halfedges alone.
+static constexpr bool edge_is_half_of_halfedge;
+
+/// The index of no element: the largest value of `Index`.
+static constexpr Index null_index();
+
+/// The name under which programs list the layout, for example `"corner-table"`.
+static std::string name();
+
+/// The largest number of vertices that the layout can hold with its `Index`.
+static std::size_t max_vertices();
+
+/// @}
+
+/// \name Construction
+/// A layout is default constructible (the empty mesh), copyable and movable.
+/// @{
+
+/*!
+builds the layout of the closed triangulation `t`, consuming it, and appends to
+`vertex_of_input` for every vertex of the user's, in the order of the input,
+the index of that vertex in this layout.
+
+\throws CGAL::Mesh_defect_exception if the mesh has too many elements for
+`Index`; `vertex_of_input` is then unchanged.
+*/
+CompactSurfaceMeshLayout(CGAL::Closed_triangulation<Index>&& t,
+                         std::vector<Index>& vertex_of_input);
+
+/// @}
+
+/// \name Counts
+/// @{
+std::size_t num_vertices() const;
+std::size_t num_halfedges() const;
+std::size_t num_edges() const;
+std::size_t num_faces() const;
+/// @}
+
+/// \name Navigation
+/// @{
+
+/// the next halfedge counterclockwise around the face of `h`.
+Index next(Index h) const;
+/// the halfedge whose next one is `h`.
+Index prev(Index h) const;
+/// the other halfedge of the edge of `h`.
+Index opposite(Index h) const;
+/// the vertex where `h` starts.
+Index source(Index h) const;
+/// the vertex where `h` ends.
+Index target(Index h) const;
+/// the face to the left of `h`, `null_index()` if there is none.
+Index face(Index h) const;
+/// the edge of `h`.
+Index edge(Index h) const;
+/// one of the halfedges of edge `e`, always the same.
+Index halfedge_of_edge(Index e) const;
+/// a halfedge whose target is `v`, always the same: a border halfedge if `v` lies on a
+/// border; `null_index()` if `v` is isolated.
+Index halfedge_of_vertex(Index v) const;
+/// a halfedge whose face is `f`, always the same.
+Index halfedge_of_face(Index f) const;
+/// the halfedge from `u` to `v`, `null_index()` if they are not adjacent.
+Index halfedge(Index u, Index v) const;
+
+/// @}
+
+/// \name Whole Stars
+/// These answer by hand what otherwise takes one operator after the other.
+/// @{
+
+/// calls `visit(u)` for each vertex `u` adjacent to `v`, once each, in no particular order.
+template <class Visitor>
+void for_each_adjacent_vertex(Index v, Visitor&& visit) const;
+
+/// calls `visit(u, w)` for each face (`v`,`u`,`w`), counterclockwise, at `v`, once each, in
+/// no particular order.
+template <class Visitor>
+void for_each_incident_triangle(Index v, Visitor&& visit) const;
+
+/// the number of edges at `v`.
+Index degree(Index v) const;
+
+/// the three vertices of face `f` counterclockwise; the first is the target of
+/// `halfedge_of_face(f)`.
+std::array<Index, 3> vertices_of_face(Index f) const;
+
+/// @}
+
+/// \name Memory
+/// @{
+
+/// the arrays that the layout holds, each with its name and the bytes it has
+/// allocated, directories and side tables included.
+std::vector<std::pair<std::string, std::size_t>> memory() const;
+
+/// @}
+};
