@@ -8,12 +8,14 @@
 #ifndef TEST_COMPACT_SURFACE_MESH_LAYOUT_ORACLE_H
 #define TEST_COMPACT_SURFACE_MESH_LAYOUT_ORACLE_H
 
+#include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test {

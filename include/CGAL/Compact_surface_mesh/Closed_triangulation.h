@@ -70,6 +70,22 @@ public:
     m_table = std::move(table);
   }
 
+  /*!
+  does nothing if `table` is empty or a connected closed surface of genus 0.
+  \throws Mesh_defect_exception otherwise
+  */
+  static void check(const Corner_table<Index>& table)
+  {
+    for (std::size_t h = 0; h < table.num_halfedges(); ++h)
+      if (table.opposite(static_cast<Index>(h)) == table.null())
+        throw Mesh_defect_exception(Mesh_defect::border, h / 3);
+    check_connected(table);
+    // V - E + F = 2 - 2g with E = 3F/2
+    const std::size_t excess = table.num_faces() + 4 - 2 * table.num_vertices();
+    if (table.num_faces() != 0 && excess != 0)
+      throw Mesh_defect_exception(Mesh_defect::positive_genus, excess / 4);
+  }
+
   /// returns the triangulation, hidden vertices and faces included.
   const Corner_table<Index>& table() const { return m_table; }
 
@@ -90,19 +106,6 @@ public:
   }
 
 private:
-  static void check(const Corner_table<Index>& table)
-  {
-    const std::size_t num_faces = table.num_faces(), num_vertices = table.num_vertices();
-    for (std::size_t h = 0; h < table.num_halfedges(); ++h)
-      if (table.opposite(static_cast<Index>(h)) == table.null())
-        throw Mesh_defect_exception(Mesh_defect::border, h / 3);
-    check_connected(table);
-    // V - E + F = 2 - 2g with E = 3F/2
-    const std::size_t excess = num_faces + 4 - 2 * num_vertices;
-    if (num_faces != 0 && excess != 0)
-      throw Mesh_defect_exception(Mesh_defect::positive_genus, excess / 4);
-  }
-
   static void check_connected(const Corner_table<Index>& table)
   {
     std::vector<unsigned char> rank(table.num_vertices(), 0);
