@@ -1,0 +1,228 @@
+// Copyright (c) 2026  The Compact_surface_mesh authors.
+// All rights reserved.
+//
+// This file is part of Compact_surface_mesh, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+// All layouts against the corner table: every operator on every element.
+
+#include "generated_triangulations.h"
+#include "layout_oracle.h"
+#include "small_triangulations.h"
+#include "test_scale.h"
+
+#include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/Schnyder_parents_layout.h>
+#include <CGAL/Schnyder_woods/random_planar_triangulation.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+const CGAL::Shelling_order all_orders[] = { CGAL::Shelling_order::LAST_IN_FIRST_OUT,
+                                            CGAL::Shelling_order::FIRST_IN_FIRST_OUT,
+                                            CGAL::Shelling_order::RANDOM };
+
+// Builds the layout in all ways that its constructor offers, and compares each.
+template <class Layout>
+struct All_woods
+{
+  template <class Triangles>
+  static std::string difference(std::size_t n, const Triangles& triangles)
+  {
+    return test::difference_from_table<Layout>(n, triangles);
+  }
+};
+
+template <int References, class Index>
+struct All_woods<CGAL::Schnyder_parents_layout<References, Index>>
+{
+  template <class Triangles>
+  static std::string difference(std::size_t n, const Triangles& triangles)
+  {
+    for (const CGAL::Shelling_order order : all_orders) {
+      const std::string difference =
+        test::difference_from_table<CGAL::Schnyder_parents_layout<References, Index>>(n, triangles, order, 7u);
+      if (!difference.empty())
+        return difference + " (order " + std::to_string(static_cast<int>(order)) + ")";
+    }
+    return "";
+  }
+};
+
+template <class Layout>
+std::string difference(const test::Soup& soup)
+{
+  return All_woods<Layout>::difference(soup.num_vertices, soup.triangles);
+}
+
+template <class Layout>
+class Layouts : public testing::Test
+{};
+
+typedef testing::Types<CGAL::Corner_table_layout<>,
+                       CGAL::Schnyder_parents_layout<4>,
+                       CGAL::Schnyder_parents_layout<5>,
+                       CGAL::Schnyder_parents_layout<6>,
+                       CGAL::Corner_table_layout<std::uint64_t>,
+                       CGAL::Schnyder_parents_layout<4, std::uint64_t>>
+    All_layouts;
+TYPED_TEST_SUITE(Layouts, All_layouts);
+
+TYPED_TEST(Layouts, agree_with_the_corner_table_on_all_rooted_triangulations_with_up_to_9_vertices)
+{
+  for (int n = 4; n <= test::largest_exhaustive(); ++n)
+    for (const auto& map : test::all_sphere_triangulations(n))
+      for (const auto& rooted : test::Oriented_map(map).all_codes()) {
+        const std::string difference = All_woods<TypeParam>::difference(n, rooted);
+        ASSERT_EQ(difference, "") << "triangles " << testing::PrintToString(rooted);
+      }
+}
+
+TYPED_TEST(Layouts, agree_with_the_corner_table_on_random_triangulations)
+{
+  const std::uint32_t largest = static_cast<std::uint32_t>(test::scaled(1000000));
+  for (std::uint32_t n = 10; n <= largest; n *= 10) {
+    CGAL::Random random(n);
+    const auto triangles = CGAL::random_planar_triangulation(n, random);
+    ASSERT_EQ(All_woods<TypeParam>::difference(n, triangles), "") << "seed and vertices " << n;
+  }
+}
+
+TYPED_TEST(Layouts, agree_with_the_corner_table_on_many_small_random_triangulations)
+{
+  for (unsigned int seed = 0; seed < test::scaled(1000); ++seed) {
+    CGAL::Random random(seed);
+    const std::uint32_t n = 10 + seed % 60;
+    const auto triangles = CGAL::random_planar_triangulation(n, random);
+    ASSERT_EQ(All_woods<TypeParam>::difference(n, triangles), "") << "seed " << seed << ", vertices " << n;
+  }
+}
+
+TYPED_TEST(Layouts, agree_with_the_corner_table_on_stacked_triangulations_and_hubs)
+{
+  const std::uint32_t n = static_cast<std::uint32_t>(test::scaled(100000));
+  EXPECT_EQ(difference<TypeParam>(test::stacked_triangulation(n, 1)), "");
+  EXPECT_EQ(difference<TypeParam>(test::stacked_at_hub(n)), "");
+  EXPECT_EQ(difference<TypeParam>(test::double_wheel(n)), "");
+  // families and lists around the lengths at which they move to the side table
+  for (std::uint32_t k = 5; k < 45; ++k) {
+    EXPECT_EQ(difference<TypeParam>(test::stacked_at_hub(k)), "") << k;
+    EXPECT_EQ(difference<TypeParam>(test::double_wheel(k)), "") << k;
+    EXPECT_EQ(difference<TypeParam>(test::shuffled(test::double_wheel(k), k)), "") << k;
+  }
+}
+
+TYPED_TEST(Layouts, agree_with_the_corner_table_on_regular_spheres)
+{
+  for (int subdivisions = 0; subdivisions <= (test::scaled(1000) >= 1000 ? 7 : 4); ++subdivisions) {
+    const test::Soup sphere = test::octasphere(subdivisions);
+    EXPECT_EQ(difference<TypeParam>(sphere), "") << subdivisions;
+    EXPECT_EQ(difference<TypeParam>(test::shuffled(sphere, 5)), "") << subdivisions;
+  }
+}
+
+TYPED_TEST(Layouts, take_the_triangle_with_two_sides)
+{
+  const std::vector<std::array<int, 3>> triangles = { { 0, 1, 2 }, { 2, 1, 0 } };
+  EXPECT_EQ(All_woods<TypeParam>::difference(3, triangles), "");
+}
+
+TYPED_TEST(Layouts, are_empty_without_a_mesh)
+{
+  TypeParam layout;
+  EXPECT_EQ(layout.num_vertices(), 0u);
+  EXPECT_EQ(layout.num_halfedges(), 0u);
+  EXPECT_EQ(layout.num_edges(), 0u);
+  EXPECT_EQ(layout.num_faces(), 0u);
+
+  std::vector<typename TypeParam::Index> vertex_of_input;
+  layout = TypeParam(CGAL::Closed_triangulation<typename TypeParam::Index>(), vertex_of_input);
+  EXPECT_EQ(layout.num_halfedges(), 0u);
+  EXPECT_TRUE(vertex_of_input.empty());
+}
+
+TYPED_TEST(Layouts, can_be_copied_and_are_empty_after_a_move)
+{
+  typedef typename TypeParam::Index Index;
+  const test::Soup sphere = test::octasphere(2);
+  const CGAL::Corner_table<Index> table(sphere.num_vertices, sphere.triangles);
+  std::vector<Index> vertices;
+  TypeParam layout(CGAL::Closed_triangulation<Index>(CGAL::Corner_table<Index>(table)), vertices);
+  const TypeParam copy = layout;
+  EXPECT_EQ((test::Layout_oracle<TypeParam, Index>(copy, table, vertices).difference()), "");
+  const TypeParam moved = std::move(layout);
+  EXPECT_EQ((test::Layout_oracle<TypeParam, Index>(moved, table, vertices).difference()), "");
+  EXPECT_EQ(layout.num_vertices(), 0u);
+  EXPECT_EQ(layout.num_halfedges(), 0u);
+  EXPECT_EQ(layout.num_faces(), 0u);
+}
+
+TYPED_TEST(Layouts, append_their_vertices_to_what_they_are_given)
+{
+  typedef typename TypeParam::Index Index;
+  const test::Soup sphere = test::octasphere(1);
+  std::vector<Index> vertices = { 42 };
+  const TypeParam layout(
+      CGAL::Closed_triangulation<Index>(CGAL::Corner_table<Index>(sphere.num_vertices, sphere.triangles)), vertices);
+  EXPECT_EQ(vertices.size(), sphere.num_vertices + 1);
+  EXPECT_EQ(vertices.front(), 42u);
+}
+
+TYPED_TEST(Layouts, find_no_halfedge_between_vertices_that_are_not_adjacent)
+{
+  typedef typename TypeParam::Index Index;
+  const test::Soup sphere = test::shuffled(test::octasphere(2), 3);
+  std::vector<Index> vertices;
+  const TypeParam layout(
+      CGAL::Closed_triangulation<Index>(CGAL::Corner_table<Index>(sphere.num_vertices, sphere.triangles)), vertices);
+  std::size_t num_adjacent = 0;
+  for (Index u = 0; u < layout.num_vertices(); ++u)
+    for (Index v = 0; v < layout.num_vertices(); ++v) {
+      const Index h = layout.halfedge(u, v);
+      if (h == TypeParam::null_index())
+        continue;
+      ++num_adjacent;
+      EXPECT_EQ(layout.source(h), u);
+      EXPECT_EQ(layout.target(h), v);
+    }
+  EXPECT_EQ(num_adjacent, layout.num_halfedges());
+}
+
+TEST(Layout_oracle, sees_a_wrong_vertex_map)
+{
+  typedef CGAL::Schnyder_parents_layout<> Layout;
+  const test::Soup sphere = test::octasphere(2);
+  const CGAL::Corner_table<> table(sphere.num_vertices, sphere.triangles);
+  std::vector<std::uint32_t> vertices;
+  const Layout layout(CGAL::Closed_triangulation<>(CGAL::Corner_table<>(table)), vertices);
+  std::swap(vertices[0], vertices[40]);
+  EXPECT_NE((test::Layout_oracle<Layout, std::uint32_t>(layout, table, vertices).difference()), "");
+}
+
+TEST(Schnyder_parents_layout, keeps_red_siblings_consecutive_and_the_root_face_last)
+{
+  const test::Soup sphere = test::octasphere(3);
+  std::vector<std::uint32_t> vertices;
+  const CGAL::Schnyder_parents_layout<> layout(
+      CGAL::Closed_triangulation<>(CGAL::Corner_table<>(sphere.num_vertices, sphere.triangles)), vertices);
+  const std::uint32_t n = sphere.num_vertices;
+  // the first face of the input is where the wood is rooted
+  for (const std::uint32_t v : sphere.triangles[0])
+    EXPECT_GE(vertices[v], n - 3);
+  // halfedge 6u leads from u to its red parent: parents change from family to family only
+  std::set<std::uint32_t> parents;
+  for (std::uint32_t u = 0; u + 3 < n; ++u)
+    if (u == 0 || layout.target(6 * u) != layout.target(6 * (u - 1))) {
+      EXPECT_TRUE(parents.insert(layout.target(6 * u)).second);
+    }
+}
+
+} // namespace
