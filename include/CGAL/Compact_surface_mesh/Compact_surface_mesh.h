@@ -1,0 +1,596 @@
+// Copyright (c) 2026  The Compact_surface_mesh authors.
+// All rights reserved.
+//
+// This file is part of Compact_surface_mesh, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+// The class: descriptors, ranges, navigation and properties over a layout. Programs
+// include <CGAL/Compact_surface_mesh.h>, which makes it a graph as well.
+
+#ifndef CGAL_COMPACT_SURFACE_MESH_COMPACT_SURFACE_MESH_H
+#define CGAL_COMPACT_SURFACE_MESH_COMPACT_SURFACE_MESH_H
+
+#include <CGAL/license/Compact_surface_mesh.h>
+
+#include <CGAL/Compact_surface_mesh/Compact_surface_mesh_fwd.h>
+
+#include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
+#include <CGAL/Compact_surface_mesh/Corner_table.h>
+#include <CGAL/Compact_surface_mesh/Descriptor_iterator.h>
+#include <CGAL/Compact_surface_mesh/Element_properties.h>
+#include <CGAL/Compact_surface_mesh/descriptors.h>
+#include <CGAL/Compact_surface_mesh/internal/Fixed_connectivity.h>
+#include <CGAL/Compact_surface_mesh/internal/Input_report.h>
+#include <CGAL/Compact_surface_mesh/internal/Validity_check.h>
+#include <CGAL/Compact_surface_mesh/layouts/Schnyder_parents_layout.h>
+#include <CGAL/Compact_surface_mesh/parameters.h>
+
+#include <CGAL/Iterator_range.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <array>
+#include <cstddef>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+namespace internal {
+
+template <class Layout>
+using Descriptors_of_layout =
+  Compact_surface_mesh_descriptors::Descriptors<typename Layout::Index, Layout::edge_is_half_of_halfedge>;
+
+template <class Point, class Descriptors>
+using Element_properties_of =
+  Element_properties<Point, typename Descriptors::Vertex_index, typename Descriptors::Halfedge_index,
+                     typename Descriptors::Edge_index, typename Descriptors::Face_index>;
+
+template <class Descriptors>
+using Fixed_connectivity_of =
+  Fixed_connectivity<typename Descriptors::Vertex_index, typename Descriptors::Halfedge_index,
+                     typename Descriptors::Face_index>;
+
+} // namespace internal
+
+/*!
+\ingroup PkgCompactSurfaceMeshRef
+
+The class `Compact_surface_mesh` is a surface mesh whose connectivity is made once and
+never edited, in a fraction of the memory of `Surface_mesh`. Points and properties are
+read and written freely. It has the names, the descriptors, the ranges, the property maps
+and the free functions of `Surface_mesh`, so that algorithms which do not edit
+connectivity run on it unchanged.
+
+<b>Elements are renumbered.</b> The layout chooses the order of vertices, halfedges, edges
+and faces. The constructors tell it on request: which element of the mesh an element of
+the input became by the named parameters `vertex_to_vertex_map` and its kin, and from
+which one it came by the property maps of `parameters::input_index_maps()`.
+
+Today meshes must be closed, connected and triangulated surfaces of genus 0; they may
+also be empty.
+
+\tparam Point_ the type of the points of the vertices: any type that can be default
+constructed and copied. Algorithms want a point of a \cgal kernel.
+\tparam Layout_ the way in which the connectivity is stored: a model of
+`CompactSurfaceMeshLayout`
+
+\cgalModels{FaceListGraph, HalfedgeListGraph}
+
+\sa `Surface_mesh`
+*/
+template <class Point_, class Layout_>
+class Compact_surface_mesh
+  : public internal::Element_properties_of<Point_, internal::Descriptors_of_layout<Layout_> >
+#ifndef DOXYGEN_RUNNING
+  , public internal::Fixed_connectivity_of<internal::Descriptors_of_layout<Layout_> >
+#endif
+{
+  using Self = Compact_surface_mesh;
+  using Descriptors = internal::Descriptors_of_layout<Layout_>;
+  using Properties_base = internal::Element_properties_of<Point_, Descriptors>;
+  template <class Tag> using Descriptor = Compact_surface_mesh_descriptors::Descriptor<Tag, typename Layout_::Index>;
+  template <class D> using Iterator_over = Compact_surface_mesh_descriptors::Descriptor_iterator<D>;
+  using Vertex_tag = Compact_surface_mesh_descriptors::Vertex_tag;
+  using Halfedge_tag = Compact_surface_mesh_descriptors::Halfedge_tag;
+  using Edge_tag = Compact_surface_mesh_descriptors::Edge_tag;
+  using Face_tag = Compact_surface_mesh_descriptors::Face_tag;
+
+public:
+  /// \name Types
+  /// @{
+  using Point = Point_;
+  using Layout = Layout_;
+  /// the type of indices and counts.
+  using size_type = typename Layout::Index;
+
+  using Vertex_index = typename Descriptors::Vertex_index;
+  using Halfedge_index = typename Descriptors::Halfedge_index;
+  using Edge_index = typename Descriptors::Edge_index;
+  using Face_index = typename Descriptors::Face_index;
+
+  using Vertex_iterator = Iterator_over<Vertex_index>;
+  using Halfedge_iterator = Iterator_over<Halfedge_index>;
+  using Edge_iterator = Iterator_over<Edge_index>;
+  using Face_iterator = Iterator_over<Face_index>;
+
+  using Vertex_range = Iterator_range<Vertex_iterator>;
+  using Halfedge_range = Iterator_range<Halfedge_iterator>;
+  using Edge_range = Iterator_range<Edge_iterator>;
+  using Face_range = Iterator_range<Face_iterator>;
+
+  using Vertex_around_target_iterator = CGAL::Vertex_around_target_iterator<Self>;
+  using Halfedge_around_target_iterator = CGAL::Halfedge_around_target_iterator<Self>;
+  using Face_around_target_iterator = CGAL::Face_around_target_iterator<Self>;
+  using Vertex_around_face_iterator = CGAL::Vertex_around_face_iterator<Self>;
+  using Halfedge_around_face_iterator = CGAL::Halfedge_around_face_iterator<Self>;
+  using Face_around_face_iterator = CGAL::Face_around_face_iterator<Self>;
+
+  using Vertex_around_target_range = Iterator_range<Vertex_around_target_iterator>;
+  using Halfedge_around_target_range = Iterator_range<Halfedge_around_target_iterator>;
+  using Face_around_target_range = Iterator_range<Face_around_target_iterator>;
+  using Vertex_around_face_range = Iterator_range<Vertex_around_face_iterator>;
+  using Halfedge_around_face_range = Iterator_range<Halfedge_around_face_iterator>;
+  using Face_around_face_range = Iterator_range<Face_around_face_iterator>;
+
+  using Vertex_around_target_circulator = CGAL::Vertex_around_target_circulator<Self>;
+  using Halfedge_around_target_circulator = CGAL::Halfedge_around_target_circulator<Self>;
+  using Halfedge_around_source_circulator = CGAL::Halfedge_around_source_circulator<Self>;
+  using Face_around_target_circulator = CGAL::Face_around_target_circulator<Self>;
+  using Vertex_around_face_circulator = CGAL::Vertex_around_face_circulator<Self>;
+  using Halfedge_around_face_circulator = CGAL::Halfedge_around_face_circulator<Self>;
+  using Face_around_face_circulator = CGAL::Face_around_face_circulator<Self>;
+  /// @}
+
+#ifndef DOXYGEN_RUNNING
+  // the second names that Surface_mesh has for them
+  using vertex_index = Vertex_index;
+  using halfedge_index = Halfedge_index;
+  using edge_index = Edge_index;
+  using face_index = Face_index;
+  using vertex_iterator = Vertex_iterator;
+  using halfedge_iterator = Halfedge_iterator;
+  using edge_iterator = Edge_iterator;
+  using face_iterator = Face_iterator;
+  using vertex_property_type = Point;
+  template <class I, class T> using Property_map = typename Properties_base::template Property_map<I, T>;
+#endif
+
+  /// \name Construction
+  /// All constructions take linear time beside what the layout takes.
+  /// @{
+
+  /// creates the empty mesh.
+  Compact_surface_mesh() = default;
+
+  Compact_surface_mesh(const Compact_surface_mesh&) = default;
+  Compact_surface_mesh& operator=(const Compact_surface_mesh& other)
+  {
+    Compact_surface_mesh copy(other);
+    swap(copy);
+    return *this;
+  }
+
+  /// takes the contents of `other`, which becomes the empty mesh; in constant time.
+  Compact_surface_mesh(Compact_surface_mesh&& other) noexcept { swap(other); }
+
+  /// takes the contents of `other`, which becomes the empty mesh; in constant time.
+  Compact_surface_mesh& operator=(Compact_surface_mesh&& other) noexcept
+  {
+    Compact_surface_mesh moved(std::move(other));
+    swap(moved);
+    return *this;
+  }
+
+  /*!
+  copies the mesh `g`.
+
+  \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph` all of whose faces are triangles
+  \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{vertex_point_map}
+      \cgalParamDescription{a property map associating points to the vertices of `g`}
+      \cgalParamType{a readable property map whose values are `Point`s, or points of another kernel}
+      \cgalParamDefault{`boost::get(CGAL::vertex_point, g)`}
+    \cgalParamNEnd
+    \cgalParamNBegin{vertex_index_map}
+      \cgalParamDescription{numbers the vertices of `g` from 0 without holes}
+      \cgalParamType{a readable property map from vertices of `g` to integers}
+      \cgalParamDefault{an automatically indexed map; elements of `g` that are only marked as removed are left out}
+    \cgalParamNEnd
+    \cgalParamNBegin{vertex_to_vertex_output_iterator}
+      \cgalParamDescription{receives the pairs (vertex of `g`, vertex of the mesh), as from `copy_face_graph()`;
+                            `halfedge_to_halfedge_output_iterator` and `face_to_face_output_iterator` likewise}
+      \cgalParamType{an `OutputIterator`}
+    \cgalParamNEnd
+    \cgalParamNBegin{vertex_to_vertex_map}
+      \cgalParamDescription{receives for each vertex of `g` the vertex of the mesh;
+                            `halfedge_to_halfedge_map` and `face_to_face_map` likewise}
+      \cgalParamType{a writable property map}
+    \cgalParamNEnd
+    \cgalParamNBegin{input_index_maps}
+      \cgalParamDescription{whether to add the property maps `"v:input_index"` and `"f:input_index"` with
+                            values of type `size_type`: the index of a vertex by the vertex index map, and
+                            the place of a face in `faces(g)`}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`false`}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  Maps and iterators are written to when all is done; what is not asked for costs nothing.
+
+  \throws Mesh_defect_exception if `g` is no mesh that this class takes
+  */
+  template <class FaceGraph, class CGAL_NP_TEMPLATE_PARAMETERS,
+            class = typename internal::Possible_graph_traits<FaceGraph>::face_descriptor>
+  explicit Compact_surface_mesh(const FaceGraph& g, const CGAL_NP_CLASS& np = parameters::default_values())
+  {
+    if constexpr (parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::vertex_index_t>::value)
+      if (internal::has_removed_vertices(g)) {
+        copy_graph(g, internal::numbered_vertices(g), np);
+        return;
+      }
+    copy_graph(g, get_initialized_vertex_index_map(g, np), np);
+  }
+
+  /*!
+  builds the mesh of a triangle soup.
+
+  \tparam PointRange a range of `Point`s, or of points of another kernel
+  \tparam TriangleRange a range of ranges of three integers each
+  \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+  \param points the points of the vertices
+  \param triangles the indices in `points` of the vertices of each face, counterclockwise
+  \param np as for the construction from a `FaceListGraph`, with integers in place of the
+    descriptors of `g`: `vertex_to_vertex_output_iterator`, `vertex_to_vertex_map`,
+    `face_to_face_output_iterator`, `face_to_face_map`, `input_index_maps`
+
+  \throws Mesh_defect_exception if the soup is no mesh that this class takes
+  */
+  template <class PointRange, class TriangleRange, class CGAL_NP_TEMPLATE_PARAMETERS>
+  Compact_surface_mesh(const PointRange& points, const TriangleRange& triangles,
+                       const CGAL_NP_CLASS& np = parameters::default_values())
+  {
+    const std::size_t n = static_cast<std::size_t>(std::distance(std::begin(points), std::end(points)));
+    construct(Corner_table<size_type>(n, triangles),
+              internal::Soup_input<PointRange, TriangleRange>(points, triangles), np);
+  }
+
+  /// copies connectivity and points of `other`, but no other property maps.
+  Compact_surface_mesh& assign(const Compact_surface_mesh& other)
+  {
+    Compact_surface_mesh copy;
+    copy.set_layout(Layout(other.m_layout));
+    for (const Vertex_index v : copy.vertices())
+      copy.point(v) = other.point(v);
+    swap(copy);
+    return *this;
+  }
+
+  /// exchanges this mesh and `other`, in constant time; property maps move with their mesh.
+  void swap(Compact_surface_mesh& other) noexcept
+  {
+    this->swap_properties(other);
+    std::swap(m_layout, other.m_layout);
+  }
+
+  friend void swap(Compact_surface_mesh& a, Compact_surface_mesh& b) noexcept { a.swap(b); }
+
+  /// makes the mesh empty and removes all property maps but the points.
+  void clear()
+  {
+    clear_without_removing_property_maps();
+    this->remove_all_property_maps();
+  }
+
+  /// makes the mesh empty and keeps its property maps, now empty as well.
+  void clear_without_removing_property_maps()
+  {
+    set_layout(Layout());
+    this->shrink_to_fit();
+  }
+
+  /// does nothing: connectivity is fixed. It is there for programs written for `Surface_mesh`.
+  void reserve(size_type, size_type, size_type) {}
+
+  /// @}
+
+  /// \name Counts
+  /// @{
+  size_type number_of_vertices() const { return number_of(Vertex_tag()); }
+  size_type number_of_halfedges() const { return number_of(Halfedge_tag()); }
+  size_type number_of_edges() const { return number_of(Edge_tag()); }
+  size_type number_of_faces() const { return number_of(Face_tag()); }
+  size_type num_vertices() const { return number_of_vertices(); }
+  size_type num_halfedges() const { return number_of_halfedges(); }
+  size_type num_edges() const { return number_of_edges(); }
+  size_type num_faces() const { return number_of_faces(); }
+  bool is_empty() const { return number_of_vertices() == 0; }
+  /// @}
+
+  /// \name Removed Elements
+  /// There are none. The members are there for programs written for `Surface_mesh`.
+  /// @{
+  size_type number_of_removed_vertices() const { return 0; }
+  size_type number_of_removed_halfedges() const { return 0; }
+  size_type number_of_removed_edges() const { return 0; }
+  size_type number_of_removed_faces() const { return 0; }
+  template <class Tag> bool is_removed(Descriptor<Tag>) const { return false; }
+  bool has_garbage() const { return false; }
+  void collect_garbage() {}
+  /// @}
+
+  /// \name Ranges
+  /// in the order of the indices.
+  /// @{
+  Vertex_range vertices() const { return all<Vertex_index>(); }
+  Halfedge_range halfedges() const { return all<Halfedge_index>(); }
+  Edge_range edges() const { return all<Edge_index>(); }
+  Face_range faces() const { return all<Face_index>(); }
+  Vertex_iterator vertices_begin() const { return vertices().begin(); }
+  Vertex_iterator vertices_end() const { return vertices().end(); }
+  Halfedge_iterator halfedges_begin() const { return halfedges().begin(); }
+  Halfedge_iterator halfedges_end() const { return halfedges().end(); }
+  Edge_iterator edges_begin() const { return edges().begin(); }
+  Edge_iterator edges_end() const { return edges().end(); }
+  Face_iterator faces_begin() const { return faces().begin(); }
+  Face_iterator faces_end() const { return faces().end(); }
+
+  /// returns the neighbors of `target(h)`, clockwise, from `source(h)` on.
+  Vertex_around_target_range vertices_around_target(Halfedge_index h) const
+  {
+    return CGAL::vertices_around_target(h, *this);
+  }
+  /// returns the halfedges with the target of `h`, clockwise, from `h` on.
+  Halfedge_around_target_range halfedges_around_target(Halfedge_index h) const
+  {
+    return CGAL::halfedges_around_target(h, *this);
+  }
+  /// returns the faces at `target(h)`, clockwise, from `face(h)` on.
+  Face_around_target_range faces_around_target(Halfedge_index h) const { return CGAL::faces_around_target(h, *this); }
+  /// returns the vertices of the face of `h`, counterclockwise, from `target(h)` on.
+  Vertex_around_face_range vertices_around_face(Halfedge_index h) const { return CGAL::vertices_around_face(h, *this); }
+  /// returns the halfedges of the face of `h`, counterclockwise, from `h` on.
+  Halfedge_around_face_range halfedges_around_face(Halfedge_index h) const
+  {
+    return CGAL::halfedges_around_face(h, *this);
+  }
+  /// returns the faces across the edges of the face of `h`, counterclockwise, from `face(opposite(h))` on.
+  Face_around_face_range faces_around_face(Halfedge_index h) const { return CGAL::faces_around_face(h, *this); }
+  /// @}
+
+  /// \name Navigation
+  /// in constant time, unless said otherwise. Arguments must be valid.
+  /// @{
+
+  /// returns the vertex where `h` ends.
+  Vertex_index target(Halfedge_index h) const { return Vertex_index(m_layout.target(h)); }
+  /// returns the vertex where `h` starts.
+  Vertex_index source(Halfedge_index h) const { return Vertex_index(m_layout.source(h)); }
+  /// returns the face to the left of `h`, null on a border.
+  Face_index face(Halfedge_index h) const { return Face_index(m_layout.face(h)); }
+  /// returns the next halfedge counterclockwise around the face of `h`, or along its border.
+  Halfedge_index next(Halfedge_index h) const { return Halfedge_index(m_layout.next(h)); }
+  /// returns the halfedge whose next one is `h`.
+  Halfedge_index prev(Halfedge_index h) const { return Halfedge_index(m_layout.prev(h)); }
+  /// returns the other halfedge of the edge of `h`.
+  Halfedge_index opposite(Halfedge_index h) const { return Halfedge_index(m_layout.opposite(h)); }
+  /// returns the edge of `h`, which remembers `h`.
+  Edge_index edge(Halfedge_index h) const
+  {
+    if constexpr (Layout::edge_is_half_of_halfedge)
+      return Edge_index(h);
+    else
+      return Edge_index(m_layout.edge(h), h);
+  }
+
+  /// returns a halfedge whose target is `v`: a border halfedge if `v` lies on a border, null if `v` is isolated.
+  Halfedge_index halfedge(Vertex_index v) const { return Halfedge_index(m_layout.halfedge_of_vertex(v)); }
+  /// returns a halfedge of `f`.
+  Halfedge_index halfedge(Face_index f) const { return Halfedge_index(m_layout.halfedge_of_face(f)); }
+  /// returns the halfedge that `e` remembers.
+  Halfedge_index halfedge(Edge_index e) const
+  {
+    if constexpr (Layout::edge_is_half_of_halfedge)
+      return e.halfedge();
+    else
+      return e.remembered_halfedge().is_valid() ? e.remembered_halfedge() : halfedge(e, 0);
+  }
+  /// returns the `i`-th halfedge of `e`, for `i` = 0 or 1, whatever `e` remembers.
+  Halfedge_index halfedge(Edge_index e, unsigned int i) const
+  {
+    CGAL_assertion(i <= 1);
+    const Halfedge_index h(m_layout.halfedge_of_edge(e));
+    return i == 0 ? h : opposite(h);
+  }
+  /// returns the halfedge from `u` to `v`, null if there is none.
+  Halfedge_index halfedge(Vertex_index u, Vertex_index v) const { return Halfedge_index(m_layout.halfedge(u, v)); }
+  /// returns the target of the `i`-th halfedge of `e`, for `i` = 0 or 1.
+  Vertex_index vertex(Edge_index e, unsigned int i) const { return target(halfedge(e, i)); }
+
+  /// returns the next halfedge clockwise with the target of `h`.
+  Halfedge_index next_around_target(Halfedge_index h) const { return opposite(next(h)); }
+  /// returns the next halfedge counterclockwise with the target of `h`.
+  Halfedge_index prev_around_target(Halfedge_index h) const { return prev(opposite(h)); }
+  /// returns the next halfedge clockwise with the source of `h`.
+  Halfedge_index next_around_source(Halfedge_index h) const { return next(opposite(h)); }
+  /// returns the next halfedge counterclockwise with the source of `h`.
+  Halfedge_index prev_around_source(Halfedge_index h) const { return opposite(prev(h)); }
+
+  /// returns the number of edges at `v`, in time proportional to it.
+  size_type degree(Vertex_index v) const { return m_layout.degree(v); }
+  /// returns the number of edges of `f`, in time proportional to it.
+  size_type degree(Face_index f) const
+  {
+    const Halfedge_index first = halfedge(f);
+    size_type d = 0;
+    Halfedge_index h = first;
+    do {
+      ++d;
+      h = next(h);
+    } while (h != first);
+    return d;
+  }
+  /// @}
+
+  /// \name Whole Stars
+  /// The fastest ways around a vertex and a face.
+  /// @{
+
+  /// calls `visit(u)` for each neighbor `u` of `v`, once each, in no particular order.
+  template <class Visitor>
+  void for_each_adjacent_vertex(Vertex_index v, Visitor&& visit) const
+  {
+    m_layout.for_each_adjacent_vertex(v, [&](size_type u) { visit(Vertex_index(u)); });
+  }
+
+  /// calls `visit(u, w)` for each face (`v`,`u`,`w`), counterclockwise, at `v`, once each, in
+  /// no particular order.
+  template <class Visitor>
+  void for_each_incident_triangle(Vertex_index v, Visitor&& visit) const
+  {
+    m_layout.for_each_incident_triangle(v, [&](size_type u, size_type w) { visit(Vertex_index(u), Vertex_index(w)); });
+  }
+
+  /// returns the vertices of `f` counterclockwise, from `target(halfedge(f))` on.
+  std::array<Vertex_index, 3> vertices_of_face(Face_index f) const
+  {
+    const std::array<size_type, 3> v = m_layout.vertices_of_face(f);
+    return {{ Vertex_index(v[0]), Vertex_index(v[1]), Vertex_index(v[2]) }};
+  }
+  /// @}
+
+  /// \name Borders
+  /// in constant time.
+  /// @{
+
+  /// returns whether `h` has no face.
+  bool is_border(Halfedge_index h) const { return !face(h).is_valid(); }
+  /// returns whether `e` has less than two faces.
+  bool is_border(Edge_index e) const { return is_border(halfedge(e)) || is_border(opposite(halfedge(e))); }
+  /// returns whether `v` lies on a border or is isolated. As `halfedge(v)` is a border
+  /// halfedge for every border vertex, the second parameter of `Surface_mesh` is of no effect.
+  bool is_border(Vertex_index v, bool = true) const { return is_isolated(v) || is_border(halfedge(v)); }
+  /// returns whether no edge meets `v`.
+  bool is_isolated(Vertex_index v) const { return !halfedge(v).is_valid(); }
+  /// @}
+
+  /// \name Validity
+  /// @{
+
+  /// returns whether `d` is the descriptor of an element of this mesh.
+  template <class Tag>
+  bool has_valid_index(Descriptor<Tag> d) const { return d.idx() < number_of(Tag()); }
+
+  /// checks all of the connectivity, in linear time.
+  /// \param verbose whether to print the first error to `std::cerr`
+  bool is_valid(bool verbose = true) const { return internal::Validity_check<Self>(*this, verbose)(); }
+
+  /// checks what the neighbors of `d` say of `d`, which may be any descriptor.
+  /// \param d the descriptor
+  /// \param verbose whether to print the first error to `std::cerr`
+  template <class Tag>
+  bool is_valid(Descriptor<Tag> d, bool verbose = true) const
+  {
+    return internal::Validity_check<Self>(*this, verbose)(d);
+  }
+  /// @}
+
+  /// \name Null Elements
+  /// @{
+  static Vertex_index null_vertex() { return Vertex_index(); }
+  static Halfedge_index null_halfedge() { return Halfedge_index(); }
+  static Edge_index null_edge() { return Edge_index(); }
+  static Face_index null_face() { return Face_index(); }
+  /// @}
+
+  /// \name Memory
+  /// @{
+
+  /// returns the connectivity, which can be navigated without the mesh.
+  const Layout& layout() const { return m_layout; }
+
+  /// returns the bytes that the connectivity has allocated: all that the mesh holds but points and properties.
+  std::size_t connectivity_bytes() const
+  {
+    std::size_t bytes = 0;
+    for (const auto& array : connectivity_memory())
+      bytes += array.second;
+    return bytes;
+  }
+
+  /// returns the names of the arrays of the connectivity and the bytes that each has allocated.
+  std::vector<std::pair<std::string, std::size_t> > connectivity_memory() const { return m_layout.memory(); }
+
+  /// returns the number of integers of type `size_type` that fit into the memory of the
+  /// connectivity, per vertex; 0 for the empty mesh.
+  double references_per_vertex() const
+  {
+    return is_empty() ? 0. : static_cast<double>(connectivity_bytes()) / sizeof(size_type) / number_of_vertices();
+  }
+  /// @}
+
+private:
+  size_type number_of(Vertex_tag) const { return static_cast<size_type>(m_layout.num_vertices()); }
+  size_type number_of(Halfedge_tag) const { return static_cast<size_type>(m_layout.num_halfedges()); }
+  size_type number_of(Edge_tag) const { return static_cast<size_type>(m_layout.num_edges()); }
+  size_type number_of(Face_tag) const { return static_cast<size_type>(m_layout.num_faces()); }
+
+  template <class D>
+  Iterator_range<Iterator_over<D> > all() const
+  {
+    return Compact_surface_mesh_descriptors::first_descriptors<D>(number_of(typename D::tag()));
+  }
+
+  // Every property map, the points' too, then has a value per element.
+  void set_layout(Layout&& layout)
+  {
+    this->resize_properties(layout.num_vertices(), layout.num_halfedges(), layout.num_edges(), layout.num_faces());
+    m_layout = std::move(layout);
+  }
+
+  template <class FaceGraph, class VertexIndexMap, class NamedParameters>
+  void copy_graph(const FaceGraph& g, const VertexIndexMap& vertex_index, const NamedParameters& np)
+  {
+    if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value)
+      copy_graph(g, vertex_index, get_const_property_map(CGAL::vertex_point, g), np);
+    else
+      copy_graph(g, vertex_index, parameters::get_parameter(np, internal_np::vertex_point), np);
+  }
+
+  template <class FaceGraph, class VertexIndexMap, class PointMap, class NamedParameters>
+  void copy_graph(const FaceGraph& g, const VertexIndexMap& vertex_index, const PointMap& point,
+                  const NamedParameters& np)
+  {
+    construct(Corner_table<size_type>(g, vertex_index),
+              internal::Graph_input<FaceGraph, PointMap, VertexIndexMap>(g, point, vertex_index), np);
+  }
+
+  // The connectivity comes first, so that the memory for its construction is free again
+  // when the points are copied. What the caller owns is written to last.
+  template <class Input, class NamedParameters>
+  void construct(Corner_table<size_type>&& table, const Input& input, const NamedParameters& np)
+  {
+    std::vector<size_type> images; // of the vertices of the input
+    set_layout(Layout(Closed_triangulation<size_type>(std::move(table)), images));
+    input.for_each_point([&](std::size_t i, const auto& p) {
+      this->point(Vertex_index(images[i])) = internal::converted_point<Point>(p);
+    });
+    internal::report_input(input, images, *this, np);
+  }
+
+  Layout m_layout;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_COMPACT_SURFACE_MESH_COMPACT_SURFACE_MESH_H

@@ -1,0 +1,276 @@
+// Copyright (c) 2026  The Compact_surface_mesh authors.
+// All rights reserved.
+//
+// This file is part of Compact_surface_mesh, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+// The names of vertices, halfedges, edges and faces: one template for the four kinds.
+//
+// The namespace is not CGAL on purpose. Boost.Graph calls make_tuple() unqualified
+// with descriptors as arguments (boyer_myrvold_planarity_test()), and argument
+// dependent lookup would then find CGAL::make_tuple() as well.
+
+#ifndef CGAL_COMPACT_SURFACE_MESH_DESCRIPTORS_H
+#define CGAL_COMPACT_SURFACE_MESH_DESCRIPTORS_H
+
+#include <CGAL/license/Compact_surface_mesh.h>
+
+#include <CGAL/Handle_hash_function.h>
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <ostream>
+#include <type_traits>
+
+namespace CGAL {
+
+namespace Compact_surface_mesh_descriptors {
+
+/// \name Kinds of Elements
+/// @{
+struct Vertex_tag   { static constexpr const char* name() { return "vertex"; } };
+struct Halfedge_tag { static constexpr const char* name() { return "halfedge"; } };
+struct Face_tag     { static constexpr const char* name() { return "face"; } };
+/// edges of which edge `e` has the halfedges `2e` and `2e+1`.
+struct Edge_tag     { static constexpr const char* name() { return "edge"; } };
+/// edges whose numbers only the layout knows.
+struct Listed_edge_tag : Edge_tag {};
+/// @}
+
+template <class Tag, class Index>
+class Descriptor;
+
+template <class Index>
+inline constexpr Index null_index = (std::numeric_limits<Index>::max)();
+
+// What a descriptor stores, and how that becomes the index of an element.
+template <class Tag, class Index>
+class Descriptor_storage
+{
+public:
+  constexpr Descriptor_storage() = default;
+  explicit constexpr Descriptor_storage(Index i) : m_index(i) {}
+
+  constexpr Index idx() const { return m_index; }
+  constexpr bool is_valid() const { return m_index != null_index<Index>; }
+
+protected:
+  void advance(std::ptrdiff_t n) { m_index = static_cast<Index>(m_index + static_cast<Index>(n)); }
+
+  void print(std::ostream& os) const { os << Tag::name()[0] << m_index; }
+
+private:
+  Index m_index = null_index<Index>;
+};
+
+// An edge stores the halfedge from which it was made, and its index is half of that.
+// As for Surface_mesh, the null edge converts to half of the null index.
+template <class Index>
+class Descriptor_storage<Edge_tag, Index>
+{
+public:
+  using Halfedge = Descriptor<Halfedge_tag, Index>;
+
+  constexpr Descriptor_storage() = default;
+  // null_index / 2 is what the null edge converts to
+  explicit constexpr Descriptor_storage(Index e)
+    : m_halfedge(e < null_index<Index> / 2 ? static_cast<Index>(2 * e) : null_index<Index>) {}
+  explicit constexpr Descriptor_storage(Halfedge h) : m_halfedge(h.idx()) {}
+
+  constexpr Halfedge halfedge() const { return Halfedge(m_halfedge); }
+  constexpr Index idx() const { return m_halfedge / 2; }
+  constexpr bool is_valid() const { return m_halfedge != null_index<Index>; }
+
+protected:
+  void advance(std::ptrdiff_t n) { m_halfedge = static_cast<Index>(m_halfedge + 2 * static_cast<Index>(n)); }
+
+  void print(std::ostream& os) const { os << 'e' << idx() << " on h" << m_halfedge; }
+
+private:
+  Index m_halfedge = null_index<Index>;
+};
+
+// A listed edge stores both. Made from its index alone it knows no halfedge, and stands
+// for the one that the layout keeps for the edge.
+template <class Index>
+class Descriptor_storage<Listed_edge_tag, Index>
+{
+public:
+  using Halfedge = Descriptor<Halfedge_tag, Index>;
+
+  constexpr Descriptor_storage() = default;
+  explicit constexpr Descriptor_storage(Index e) : m_index(e) {}
+  constexpr Descriptor_storage(Index e, Halfedge h) : m_index(e), m_halfedge(h.idx()) {}
+
+  // null if the edge was made from its index alone
+  constexpr Halfedge remembered_halfedge() const { return Halfedge(m_halfedge); }
+  constexpr Index idx() const { return m_index; }
+  constexpr bool is_valid() const { return m_index != null_index<Index>; }
+
+protected:
+  void advance(std::ptrdiff_t n)
+  {
+    m_index = static_cast<Index>(m_index + static_cast<Index>(n));
+    m_halfedge = null_index<Index>;
+  }
+
+  void print(std::ostream& os) const
+  {
+    os << 'e' << m_index;
+    if (m_halfedge != null_index<Index>)
+      os << " on h" << m_halfedge;
+  }
+
+private:
+  Index m_index = null_index<Index>;
+  Index m_halfedge = null_index<Index>;
+};
+
+/*!
+\ingroup PkgCompactSurfaceMeshRef
+
+The class `Descriptor` names a vertex, a halfedge, an edge or a face of a
+`Compact_surface_mesh` by its index, as the descriptors of `Surface_mesh` do: indices
+are contiguous and start at 0, and a descriptor converts to its index. A default
+constructed descriptor names no element, and is the null descriptor of its kind.
+
+Descriptors of one kind are compared by their indices, the null descriptor being the
+last; descriptors of different kinds can neither be compared nor converted.
+
+An edge remembers from which of its two halfedges it was made. Comparison, order and
+hash ignore that.
+
+\tparam Tag says of which kind the element is
+\tparam Index an unsigned integer type
+
+\cgalModels{Index, LessThanComparable, Hashable}
+*/
+template <class Tag, class Index>
+class Descriptor
+  : public Descriptor_storage<Tag, Index>
+{
+  using Storage = Descriptor_storage<Tag, Index>;
+
+public:
+  /// the type of the index.
+  using size_type = Index;
+
+#ifndef DOXYGEN_RUNNING
+  using tag = Tag;
+#endif
+
+  /// creates the null descriptor.
+  constexpr Descriptor() = default;
+
+#ifdef DOXYGEN_RUNNING
+  /// creates the descriptor of the element with index `i`.
+  explicit Descriptor(size_type i);
+
+  /// creates the descriptor of the edge of `h`, which remembers `h`. Only for edges, and
+  /// only where edge `e` has the halfedges `2e` and `2e+1`.
+  explicit Descriptor(Descriptor<Halfedge_tag, Index> h);
+
+  /// returns the halfedge that the edge remembers. Only for edges, and only where edge
+  /// `e` has the halfedges `2e` and `2e+1`.
+  Descriptor<Halfedge_tag, Index> halfedge() const;
+
+  /// returns the index of the element.
+  size_type idx() const;
+
+  /// returns whether this is not the null descriptor.
+  bool is_valid() const;
+#else
+  using Storage::Storage;
+  using Storage::idx;
+  using Storage::is_valid;
+
+  template <class Other_tag, class Other_index>
+  explicit Descriptor(const Descriptor<Other_tag, Other_index>&) = delete;
+#endif
+
+  /// returns the index of the element.
+  constexpr size_type id() const { return idx(); }
+
+  /// returns the index of the element.
+  constexpr operator size_type() const { return idx(); }
+
+  /// makes this the null descriptor.
+  void reset() { *this = Descriptor(); }
+
+  /// \name Stepping
+  /// to the elements with the next and previous indices, whether they exist or not.
+  /// @{
+  Descriptor& operator++() { this->advance(1); return *this; }
+  Descriptor& operator--() { this->advance(-1); return *this; }
+  Descriptor operator++(int) { Descriptor old(*this); ++*this; return old; }
+  Descriptor operator--(int) { Descriptor old(*this); --*this; return old; }
+  Descriptor& operator+=(std::ptrdiff_t n) { this->advance(n); return *this; }
+  /// @}
+
+  /// \name Comparison
+  /// @{
+  friend constexpr bool operator==(const Descriptor& a, const Descriptor& b) { return a.idx() == b.idx(); }
+  friend constexpr bool operator!=(const Descriptor& a, const Descriptor& b) { return a.idx() != b.idx(); }
+  friend constexpr bool operator<(const Descriptor& a, const Descriptor& b) { return a.idx() < b.idx(); }
+
+  template <class T> friend bool operator==(const Descriptor&, const T&) = delete;
+  template <class T> friend bool operator!=(const Descriptor&, const T&) = delete;
+  template <class T> friend bool operator<(const Descriptor&, const T&) = delete;
+  /// @}
+
+  /// returns the hash value of `d`, for Boost.
+  friend std::size_t hash_value(const Descriptor& d) { return static_cast<std::size_t>(d.idx()); }
+
+  /// prints `d` as `v3`, `h5`, `f2` or `e4 on h8`.
+  friend std::ostream& operator<<(std::ostream& os, const Descriptor& d)
+  {
+    d.print(os);
+    return os;
+  }
+};
+
+// The descriptors of a mesh whose layout numbers edges by halves of halfedges, or not.
+template <class Index, bool edge_is_half_of_halfedge>
+struct Descriptors
+{
+  using Vertex_index = Descriptor<Vertex_tag, Index>;
+  using Halfedge_index = Descriptor<Halfedge_tag, Index>;
+  using Edge_index = Descriptor<std::conditional_t<edge_is_half_of_halfedge, Edge_tag, Listed_edge_tag>, Index>;
+  using Face_index = Descriptor<Face_tag, Index>;
+};
+
+} // namespace Compact_surface_mesh_descriptors
+
+namespace internal {
+namespace handle {
+
+template <class Tag, class Index>
+struct Hash_functor<Compact_surface_mesh_descriptors::Descriptor<Tag, Index> >
+{
+  std::size_t operator()(const Compact_surface_mesh_descriptors::Descriptor<Tag, Index>& d) const
+  {
+    return hash_value(d);
+  }
+};
+
+} // namespace handle
+} // namespace internal
+
+} // namespace CGAL
+
+namespace std {
+
+template <class Tag, class Index>
+struct hash<CGAL::Compact_surface_mesh_descriptors::Descriptor<Tag, Index> >
+{
+  std::size_t operator()(const CGAL::Compact_surface_mesh_descriptors::Descriptor<Tag, Index>& d) const
+  {
+    return hash_value(d);
+  }
+};
+
+} // namespace std
+
+#endif // CGAL_COMPACT_SURFACE_MESH_DESCRIPTORS_H

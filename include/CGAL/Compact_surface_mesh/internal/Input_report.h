@@ -1,0 +1,256 @@
+// Copyright (c) 2026  The Compact_surface_mesh authors.
+// All rights reserved.
+//
+// This file is part of Compact_surface_mesh, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+// How a constructor reads its input, and tells what became of it.
+
+#ifndef CGAL_COMPACT_SURFACE_MESH_INTERNAL_INPUT_REPORT_H
+#define CGAL_COMPACT_SURFACE_MESH_INTERNAL_INPUT_REPORT_H
+
+#include <CGAL/license/Compact_surface_mesh.h>
+
+#include <CGAL/Compact_surface_mesh/parameters.h>
+
+#include <CGAL/Cartesian_converter.h>
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+
+namespace internal {
+
+// The point p as a Point, converted between kernels where C++ does not convert it.
+template <class Point, class Source>
+Point converted_point(const Source& p)
+{
+  if constexpr (std::is_convertible<const Source&, Point>::value)
+    return p;
+  else
+    return Cartesian_converter<typename Kernel_traits<Source>::Kernel, typename Kernel_traits<Point>::Kernel>()(p);
+}
+
+// boost::graph_traits, with no members for a type that cannot be a graph.
+template <class Graph, bool can_be_graph = std::is_class<Graph>::value>
+struct Possible_graph_traits
+  : boost::graph_traits<Graph>
+{};
+
+template <class Graph>
+struct Possible_graph_traits<Graph, false>
+{};
+
+// Whether g counts vertices that are only marked as removed, as Surface_mesh does: then
+// its indices have gaps.
+template <class FaceGraph>
+bool has_removed_vertices(const FaceGraph& g)
+{
+  return vertices(g).size() != static_cast<std::size_t>(num_vertices(g));
+}
+
+// Numbers the vertices of g in their order.
+template <class FaceGraph>
+auto numbered_vertices(const FaceGraph& g)
+{
+  auto numbers = get(dynamic_vertex_property_t<std::size_t>(), g);
+  std::size_t i = 0;
+  for (const auto v : vertices(g))
+    put(numbers, v, i++);
+  return numbers;
+}
+
+// Takes the pairs (element of the input, element of the mesh) of one kind to where the
+// caller wants them: an output iterator, a property map, both or neither.
+template <class OutputIterator, class Map>
+class Correspondence
+{
+  using Missing = internal_np::Param_not_found;
+  static constexpr bool to_iterator = !std::is_same<OutputIterator, Missing>::value;
+  static constexpr bool to_map = !std::is_same<Map, Missing>::value;
+
+public:
+  static constexpr bool is_wanted = to_iterator || to_map;
+
+  Correspondence(const OutputIterator& iterator, const Map& map) : m_iterator(iterator), m_map(map) {}
+
+  template <class Source, class Target>
+  void operator()(const Source& source, const Target& target)
+  {
+    if constexpr (to_iterator)
+      *m_iterator++ = std::make_pair(source, target);
+    if constexpr (to_map) // soups are indexed by std::size_t, maps of them often by int
+      put(m_map, static_cast<typename boost::property_traits<Map>::key_type>(source), target);
+  }
+
+private:
+  OutputIterator m_iterator;
+  Map m_map;
+};
+
+template <class NamedParameters, class IteratorTag, class MapTag>
+auto correspondence(const NamedParameters& np, IteratorTag iterator_tag, MapTag map_tag)
+{
+  auto iterator = parameters::get_parameter(np, iterator_tag);
+  auto map = parameters::get_parameter(np, map_tag);
+  return Correspondence<decltype(iterator), decltype(map)>(iterator, map);
+}
+
+// The two kinds of input are seen alike. They call
+//   visit(i, p)         for the point p of each vertex, where i is its index in the input,
+//   visit(source, i)    for each vertex,
+//   visit(source, i, j) for each halfedge, from the vertex with index i to that with
+//                       index j, and for one halfedge of each face.
+
+// A range of triples of indices, and the points beside it.
+template <class PointRange, class TriangleRange>
+class Soup_input
+{
+public:
+  Soup_input(const PointRange& points, const TriangleRange& triangles)
+    : m_points(points), m_triangles(triangles)
+  {}
+
+  template <class Visitor>
+  void for_each_point(Visitor visit) const
+  {
+    std::size_t i = 0;
+    for (const auto& p : m_points)
+      visit(i++, p);
+  }
+
+  template <class Visitor>
+  void for_each_vertex(Visitor visit) const
+  {
+    const std::size_t n = static_cast<std::size_t>(std::distance(std::begin(m_points), std::end(m_points)));
+    for (std::size_t i = 0; i < n; ++i)
+      visit(i, i);
+  }
+
+  template <class Visitor>
+  void for_each_face(Visitor visit) const
+  {
+    std::size_t f = 0;
+    for (const auto& triangle : m_triangles) {
+      auto it = std::begin(triangle);
+      const std::size_t a = static_cast<std::size_t>(*it);
+      const std::size_t b = static_cast<std::size_t>(*++it);
+      visit(f++, a, b);
+    }
+  }
+
+  template <class Visitor>
+  void for_each_halfedge(Visitor) const {} // a soup has none to name
+
+private:
+  const PointRange& m_points;
+  const TriangleRange& m_triangles;
+};
+
+// A model of FaceListGraph with a point map and a contiguous vertex index map.
+template <class FaceGraph, class PointMap, class VertexIndexMap>
+class Graph_input
+{
+public:
+  Graph_input(const FaceGraph& g, const PointMap& point, const VertexIndexMap& index)
+    : m_graph(g), m_point(point), m_index(index)
+  {}
+
+  template <class Visitor>
+  void for_each_point(Visitor visit) const
+  {
+    for (const auto v : vertices(m_graph))
+      visit(index(v), get(m_point, v));
+  }
+
+  template <class Visitor>
+  void for_each_vertex(Visitor visit) const
+  {
+    for (const auto v : vertices(m_graph))
+      visit(v, index(v));
+  }
+
+  template <class Visitor>
+  void for_each_halfedge(Visitor visit) const
+  {
+    for (const auto h : halfedges(m_graph))
+      visit(h, index(source(h, m_graph)), index(target(h, m_graph)));
+  }
+
+  template <class Visitor>
+  void for_each_face(Visitor visit) const
+  {
+    for (const auto f : faces(m_graph)) {
+      const auto h = halfedge(f, m_graph);
+      visit(f, index(source(h, m_graph)), index(target(h, m_graph)));
+    }
+  }
+
+private:
+  template <class Vertex>
+  std::size_t index(Vertex v) const { return static_cast<std::size_t>(get(m_index, v)); }
+
+  const FaceGraph& m_graph;
+  PointMap m_point;
+  VertexIndexMap m_index;
+};
+
+// Adds the property maps that tell the indices of vertices and faces in the input.
+template <class Input, class Images, class Mesh, class FaceAt>
+void add_input_index_maps(const Input& input, const Images& images, Mesh& mesh, FaceAt face_at)
+{
+  using size_type = typename Mesh::size_type;
+  using Vertex_index = typename Mesh::Vertex_index;
+  auto vertex_number = mesh.template add_property_map<Vertex_index, size_type>("v:input_index").first;
+  for (std::size_t i = 0; i < images.size(); ++i)
+    vertex_number[Vertex_index(images[i])] = static_cast<size_type>(i);
+  auto face_number = mesh.template add_property_map<typename Mesh::Face_index, size_type>("f:input_index").first;
+  size_type k = 0;
+  input.for_each_face([&](const auto&, std::size_t i, std::size_t j) { face_number[face_at(i, j)] = k++; });
+}
+
+// Tells what became of the elements of the input: images[i] is the index in the mesh of
+// the vertex with index i in the input. Nothing that was not asked for is looked up.
+template <class Input, class Images, class Mesh, class NamedParameters>
+void report_input(const Input& input, const Images& images, Mesh& mesh, const NamedParameters& np)
+{
+  const auto vertex_at = [&](std::size_t i) { return typename Mesh::Vertex_index(images[i]); };
+  const auto halfedge_at = [&](std::size_t i, std::size_t j) { return mesh.halfedge(vertex_at(i), vertex_at(j)); };
+  const auto face_at = [&](std::size_t i, std::size_t j) { return mesh.face(halfedge_at(i, j)); };
+
+  if (parameters::choose_parameter(parameters::get_parameter(np, internal_np::input_index_maps), false))
+    add_input_index_maps(input, images, mesh, face_at);
+
+  auto vertex_report = correspondence(np, internal_np::vertex_to_vertex_output_iterator,
+                                      internal_np::vertex_to_vertex_map);
+  if constexpr (decltype(vertex_report)::is_wanted)
+    input.for_each_vertex([&](const auto& v, std::size_t i) { vertex_report(v, vertex_at(i)); });
+
+  auto halfedge_report = correspondence(np, internal_np::halfedge_to_halfedge_output_iterator,
+                                        internal_np::halfedge_to_halfedge_map);
+  if constexpr (decltype(halfedge_report)::is_wanted)
+    input.for_each_halfedge([&](const auto& h, std::size_t i, std::size_t j) {
+      halfedge_report(h, halfedge_at(i, j));
+    });
+
+  auto face_report = correspondence(np, internal_np::face_to_face_output_iterator,
+                                    internal_np::face_to_face_map);
+  if constexpr (decltype(face_report)::is_wanted)
+    input.for_each_face([&](const auto& f, std::size_t i, std::size_t j) { face_report(f, face_at(i, j)); });
+}
+
+} // namespace internal
+
+} // namespace CGAL
+
+#endif // CGAL_COMPACT_SURFACE_MESH_INTERNAL_INPUT_REPORT_H
