@@ -1,0 +1,20 @@
+// Copyright (c) 2026  The Compact_surface_mesh authors.
+// All rights reserved.
+//
+// This file is part of Compact_surface_mesh, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+// All of Compact_surface_mesh by one include: the class and its layouts, and what makes
+// it a graph for the algorithms of CGAL and Boost.
+
+#ifndef CGAL_COMPACT_SURFACE_MESH_H
+#define CGAL_COMPACT_SURFACE_MESH_H
+
+#include <CGAL/license/Compact_surface_mesh.h>
+
+#include <CGAL/Compact_surface_mesh/Compact_surface_mesh.h>
+#include <CGAL/boost/graph/graph_traits_Compact_surface_mesh.h>
+#include <CGAL/boost/graph/properties_Compact_surface_mesh.h>
+
+#endif // CGAL_COMPACT_SURFACE_MESH_H
