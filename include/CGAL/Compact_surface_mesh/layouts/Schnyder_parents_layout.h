@@ -206,31 +206,12 @@ public:
       for_each_triangle_at_border(v, [&](Index u, Index) { visit(u); });
       return;
     }
-    const auto op = inner();
     visit(m_records.red_parent(v));
-    if (m_records.in_black(v)) {
-      Index u = op.after_red(v);
-      visit(u);
-      while (m_records.more_black(u)) {
-        u = op.next_in_black(u);
-        visit(u);
-      }
-    }
+    for_each_in_black(v, visit);
     visit(m_records.blue_parent(v));
-    if (!m_records.is_leaf(v)) {
-      const Index end = m_records.last_child(v);
-      for (Index u = m_records.first_child(v); u <= end; ++u)
-        visit(u);
-    }
+    for_each_child(v, visit);
     visit(m_records.black_parent(v));
-    if (m_records.in_blue(v)) {
-      Index u = op.before_red(v);
-      visit(u);
-      while (m_records.more_blue(u)) {
-        u = m_records.next_in_blue(u);
-        visit(u);
-      }
-    }
+    for_each_in_blue(v, visit);
   }
 
   /// calls `visit(u, w)` for each face (`v`,`u`,`w`), counterclockwise, at `v`, once each, in
@@ -242,51 +223,37 @@ public:
       for_each_triangle_at_border(v, visit);
       return;
     }
-    const auto op = inner();
-    const Index red = m_records.red_parent(v);
-    Index last = red; // the triangles from the red edge on counterclockwise
-    if (m_records.in_black(v)) {
-      Index u = op.after_red(v);
+    const Index red = m_records.red_parent(v), blue = m_records.blue_parent(v), black = m_records.black_parent(v);
+    Index last = red;
+    const auto counterclockwise = [&](Index u) {
       visit(last, u);
       last = u;
-      while (m_records.more_black(u)) {
-        u = op.next_in_black(u);
-        visit(last, u);
-        last = u;
-      }
-    }
-    const Index blue = m_records.blue_parent(v);
-    visit(last, blue);
-    last = blue;
-    if (!m_records.is_leaf(v)) {
-      const Index end = m_records.last_child(v);
-      for (Index u = m_records.first_child(v); u <= end; ++u) {
-        visit(last, u);
-        last = u;
-      }
-    }
-    const Index black = m_records.black_parent(v);
-    visit(last, black);
-    last = red; // and clockwise
-    if (m_records.in_blue(v)) {
-      Index u = op.before_red(v);
+    };
+    const auto clockwise = [&](Index u) {
       visit(u, last);
       last = u;
-      while (m_records.more_blue(u)) {
-        u = m_records.next_in_blue(u);
-        visit(u, last);
-        last = u;
-      }
-    }
-    visit(black, last);
+    };
+    for_each_in_black(v, counterclockwise);
+    counterclockwise(blue);
+    for_each_child(v, counterclockwise);
+    counterclockwise(black);
+    last = red;
+    for_each_in_blue(v, clockwise);
+    clockwise(black);
   }
 
   /// returns the number of edges at `v`, in time linear in that number.
   Index degree(Index v) const
   {
     Index d = 0;
-    for_each_adjacent_vertex(v, [&d](Index) { ++d; });
-    return d;
+    const auto count = [&d](Index) { ++d; };
+    if (BOOST_UNLIKELY(v >= m_border)) {
+      for_each_adjacent_vertex(v, count);
+      return d;
+    }
+    for_each_in_black(v, count);
+    for_each_in_blue(v, count);
+    return d + 3 + m_records.number_of_children(v);
   }
 
   /// returns the vertices of `f` counterclockwise, from the target of `halfedge_of_face(f)` on.
@@ -317,6 +284,45 @@ public:
   /// @}
 
 private:
+  // The lists of an inner vertex v: in-black counterclockwise, in-blue clockwise, both from
+  // the red edge on, and the red children counterclockwise.
+  template <class Visitor>
+  BOOST_FORCEINLINE void for_each_in_black(Index v, Visitor&& visit) const
+  {
+    if (!m_records.in_black(v))
+      return;
+    const auto op = inner();
+    Index u = op.after_red(v);
+    visit(u);
+    while (m_records.more_black(u)) {
+      u = op.next_in_black(u);
+      visit(u);
+    }
+  }
+
+  template <class Visitor>
+  BOOST_FORCEINLINE void for_each_in_blue(Index v, Visitor&& visit) const
+  {
+    if (!m_records.in_blue(v))
+      return;
+    Index u = inner().before_red(v);
+    visit(u);
+    while (m_records.more_blue(u)) {
+      u = m_records.next_in_blue(u);
+      visit(u);
+    }
+  }
+
+  template <class Visitor>
+  BOOST_FORCEINLINE void for_each_child(Index v, Visitor&& visit) const
+  {
+    if (m_records.is_leaf(v))
+      return;
+    const Index end = m_records.last_child(v) + 1;
+    for (Index u = m_records.first_child(v); u != end; ++u)
+      visit(u);
+  }
+
   Inner inner() const { return Inner{ m_records, {} }; }
   Any any() const { return Any{ m_records, { m_border } }; }
 

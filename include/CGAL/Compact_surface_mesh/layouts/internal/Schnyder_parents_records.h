@@ -114,6 +114,12 @@ public:
                                                  : long_lists[c >> flag_bits].last_child;
   }
 
+  Index number_of_children(Index x) const
+  {
+    const unsigned count = child_count(x);
+    return BOOST_LIKELY(count != many) ? count : lists(x).last_child - lists(x).first_child + 1;
+  }
+
   // The last one of in-black, which is not empty and starts with `start`.
   template <class NextInBlack>
   Index last_in_black(Index x, Index start, const NextInBlack& next_in_black) const
