@@ -35,6 +35,8 @@ around the apex stand for that face. So the user's vertices come first, in the
 order of the input, and the apices after them.
 
 Today, meshes are taken that are empty, or a connected closed surface of genus 0.
+
+\tparam Index an unsigned integer type, as for `Corner_table`
 */
 template <class Index = std::uint32_t>
 class Closed_triangulation
@@ -46,7 +48,9 @@ public:
   */
   struct Root
   {
+    /// the hidden vertex.
     Index apex;
+    /// the halfedge opposite to it in the face that keeps the index of the cap.
     Index base;
   };
 

@@ -5,8 +5,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-// The class: descriptors, ranges, navigation and properties over a layout. Programs
-// include <CGAL/Compact_surface_mesh.h>, which makes it a graph as well.
+// The class: navigation over a layout, joined to properties and ranges, which have headers
+// of their own. Programs include <CGAL/Compact_surface_mesh.h>, which makes it a graph as well.
 
 #ifndef CGAL_COMPACT_SURFACE_MESH_COMPACT_SURFACE_MESH_H
 #define CGAL_COMPACT_SURFACE_MESH_COMPACT_SURFACE_MESH_H
@@ -17,8 +17,8 @@
 
 #include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
-#include <CGAL/Compact_surface_mesh/Descriptor_iterator.h>
 #include <CGAL/Compact_surface_mesh/Element_properties.h>
+#include <CGAL/Compact_surface_mesh/Element_ranges.h>
 #include <CGAL/Compact_surface_mesh/descriptors.h>
 #include <CGAL/Compact_surface_mesh/internal/Fixed_connectivity.h>
 #include <CGAL/Compact_surface_mesh/internal/Input_report.h>
@@ -26,10 +26,8 @@
 #include <CGAL/Compact_surface_mesh/layouts/Schnyder_parents_layout.h>
 #include <CGAL/Compact_surface_mesh/parameters.h>
 
-#include <CGAL/Iterator_range.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <array>
@@ -52,6 +50,11 @@ template <class Point, class Descriptors>
 using Element_properties_of =
   Element_properties<Point, typename Descriptors::Vertex_index, typename Descriptors::Halfedge_index,
                      typename Descriptors::Edge_index, typename Descriptors::Face_index>;
+
+template <class Mesh, class Descriptors>
+using Element_ranges_of =
+  Element_ranges<Mesh, typename Descriptors::Vertex_index, typename Descriptors::Halfedge_index,
+                 typename Descriptors::Edge_index, typename Descriptors::Face_index>;
 
 template <class Descriptors>
 using Fixed_connectivity_of =
@@ -84,11 +87,43 @@ constructed and copied. Algorithms want a point of a \cgal kernel.
 
 \cgalModels{FaceListGraph, HalfedgeListGraph}
 
+It is also a model of the concepts of \boost.Graph
+<a href="https://www.boost.org/libs/graph/doc/BidirectionalGraph.html">BidirectionalGraph</a>,
+<a href="https://www.boost.org/libs/graph/doc/AdjacencyGraph.html">AdjacencyGraph</a>,
+<a href="https://www.boost.org/libs/graph/doc/VertexListGraph.html">VertexListGraph</a>,
+<a href="https://www.boost.org/libs/graph/doc/EdgeListGraph.html">EdgeListGraph</a> and
+<a href="https://www.boost.org/libs/graph/doc/PropertyGraph.html">PropertyGraph</a>, as an
+undirected graph without parallel edges. It is no model of `MutableHalfedgeGraph` or
+`MutableFaceGraph`, and has none of their functions.
+
+<b>Property maps by tag.</b> `get(tag, mesh)` returns
+
+| tag | property map |
+| :-- | :----------- |
+| `boost::vertex_index_t` and its three kin | the indices; readable |
+| `CGAL::vertex_point_t` | the points, `points()` |
+| `boost::edge_weight_t` | the lengths of the edges; readable |
+| `CGAL::dynamic_vertex_property_t<T>` and its three kin | a new map, which lives as long as a copy of it |
+| `CGAL::edge_is_feature_t` | `"e:is_feature"` with values of type `bool` |
+| `CGAL::vertex_feature_degree_t` | `"v:nfe"` with values of type `int` |
+| `CGAL::vertex_incident_patches_t<T>` | `"v:ip"` with values of type `std::set<T>` |
+| `CGAL::face_patch_id_t<T>` | `"f:patch_id"` with values of type `T` |
+| `CGAL::vertex_time_stamp_t` and its two kin | `"v:time_stamp"` with values of type `std::size_t` |
+
+The named maps are found, and added to a mesh that may be changed if it has no map of that name.
+As the property graph that it is, the mesh also has `get(tag, mesh, element)`, which returns
+a value of the maps in the first three rows, and `put(CGAL::vertex_point, mesh, v, point)`.
+
+\sa `Element_properties`
+\sa `Element_ranges`
+\sa \ref Compact_surface_mesh_descriptors::Descriptor "Descriptor"
+\sa `CompactSurfaceMeshLayout`
 \sa `Surface_mesh`
 */
 template <class Point_, class Layout_>
 class Compact_surface_mesh
   : public internal::Element_properties_of<Point_, internal::Descriptors_of_layout<Layout_> >
+  , public internal::Element_ranges_of<Compact_surface_mesh<Point_, Layout_>, internal::Descriptors_of_layout<Layout_> >
 #ifndef DOXYGEN_RUNNING
   , public internal::Fixed_connectivity_of<internal::Descriptors_of_layout<Layout_> >
 #endif
@@ -97,7 +132,6 @@ class Compact_surface_mesh
   using Descriptors = internal::Descriptors_of_layout<Layout_>;
   using Properties_base = internal::Element_properties_of<Point_, Descriptors>;
   template <class Tag> using Descriptor = Compact_surface_mesh_descriptors::Descriptor<Tag, typename Layout_::Index>;
-  template <class D> using Iterator_over = Compact_surface_mesh_descriptors::Descriptor_iterator<D>;
   using Vertex_tag = Compact_surface_mesh_descriptors::Vertex_tag;
   using Halfedge_tag = Compact_surface_mesh_descriptors::Halfedge_tag;
   using Edge_tag = Compact_surface_mesh_descriptors::Edge_tag;
@@ -106,47 +140,22 @@ class Compact_surface_mesh
 public:
   /// \name Types
   /// @{
+
+  /// the type of the points of the vertices.
   using Point = Point_;
+  /// the type that stores the connectivity.
   using Layout = Layout_;
   /// the type of indices and counts.
   using size_type = typename Layout::Index;
 
+  /// the \ref Compact_surface_mesh_descriptors::Descriptor "Descriptor" of a vertex.
   using Vertex_index = typename Descriptors::Vertex_index;
+  /// the \ref Compact_surface_mesh_descriptors::Descriptor "Descriptor" of a halfedge.
   using Halfedge_index = typename Descriptors::Halfedge_index;
+  /// the \ref Compact_surface_mesh_descriptors::Descriptor "Descriptor" of an edge.
   using Edge_index = typename Descriptors::Edge_index;
+  /// the \ref Compact_surface_mesh_descriptors::Descriptor "Descriptor" of a face.
   using Face_index = typename Descriptors::Face_index;
-
-  using Vertex_iterator = Iterator_over<Vertex_index>;
-  using Halfedge_iterator = Iterator_over<Halfedge_index>;
-  using Edge_iterator = Iterator_over<Edge_index>;
-  using Face_iterator = Iterator_over<Face_index>;
-
-  using Vertex_range = Iterator_range<Vertex_iterator>;
-  using Halfedge_range = Iterator_range<Halfedge_iterator>;
-  using Edge_range = Iterator_range<Edge_iterator>;
-  using Face_range = Iterator_range<Face_iterator>;
-
-  using Vertex_around_target_iterator = CGAL::Vertex_around_target_iterator<Self>;
-  using Halfedge_around_target_iterator = CGAL::Halfedge_around_target_iterator<Self>;
-  using Face_around_target_iterator = CGAL::Face_around_target_iterator<Self>;
-  using Vertex_around_face_iterator = CGAL::Vertex_around_face_iterator<Self>;
-  using Halfedge_around_face_iterator = CGAL::Halfedge_around_face_iterator<Self>;
-  using Face_around_face_iterator = CGAL::Face_around_face_iterator<Self>;
-
-  using Vertex_around_target_range = Iterator_range<Vertex_around_target_iterator>;
-  using Halfedge_around_target_range = Iterator_range<Halfedge_around_target_iterator>;
-  using Face_around_target_range = Iterator_range<Face_around_target_iterator>;
-  using Vertex_around_face_range = Iterator_range<Vertex_around_face_iterator>;
-  using Halfedge_around_face_range = Iterator_range<Halfedge_around_face_iterator>;
-  using Face_around_face_range = Iterator_range<Face_around_face_iterator>;
-
-  using Vertex_around_target_circulator = CGAL::Vertex_around_target_circulator<Self>;
-  using Halfedge_around_target_circulator = CGAL::Halfedge_around_target_circulator<Self>;
-  using Halfedge_around_source_circulator = CGAL::Halfedge_around_source_circulator<Self>;
-  using Face_around_target_circulator = CGAL::Face_around_target_circulator<Self>;
-  using Vertex_around_face_circulator = CGAL::Vertex_around_face_circulator<Self>;
-  using Halfedge_around_face_circulator = CGAL::Halfedge_around_face_circulator<Self>;
-  using Face_around_face_circulator = CGAL::Face_around_face_circulator<Self>;
   /// @}
 
 #ifndef DOXYGEN_RUNNING
@@ -155,10 +164,6 @@ public:
   using halfedge_index = Halfedge_index;
   using edge_index = Edge_index;
   using face_index = Face_index;
-  using vertex_iterator = Vertex_iterator;
-  using halfedge_iterator = Halfedge_iterator;
-  using edge_iterator = Edge_iterator;
-  using face_iterator = Face_iterator;
   using vertex_property_type = Point;
   template <class I, class T> using Property_map = typename Properties_base::template Property_map<I, T>;
 #endif
@@ -170,7 +175,10 @@ public:
   /// creates the empty mesh.
   Compact_surface_mesh() = default;
 
-  Compact_surface_mesh(const Compact_surface_mesh&) = default;
+  /// copies `other` with all its property maps.
+  Compact_surface_mesh(const Compact_surface_mesh& other) = default;
+
+  /// copies `other` with all its property maps.
   Compact_surface_mesh& operator=(const Compact_surface_mesh& other)
   {
     Compact_surface_mesh copy(other);
@@ -229,8 +237,11 @@ public:
 
   \throws Mesh_defect_exception if `g` is no mesh that this class takes
   */
-  template <class FaceGraph, class CGAL_NP_TEMPLATE_PARAMETERS,
-            class = typename internal::Possible_graph_traits<FaceGraph>::face_descriptor>
+  template <class FaceGraph, class CGAL_NP_TEMPLATE_PARAMETERS
+#ifndef DOXYGEN_RUNNING
+            , class = typename internal::Possible_graph_traits<FaceGraph>::face_descriptor
+#endif
+            >
   explicit Compact_surface_mesh(const FaceGraph& g, const CGAL_NP_CLASS& np = parameters::default_values())
   {
     if constexpr (parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::vertex_index_t>::value)
@@ -283,6 +294,7 @@ public:
     std::swap(m_layout, other.m_layout);
   }
 
+  /// exchanges `a` and `b`, in constant time.
   friend void swap(Compact_surface_mesh& a, Compact_surface_mesh& b) noexcept { a.swap(b); }
 
   /// makes the mesh empty and removes all property maps but the points.
@@ -305,67 +317,47 @@ public:
   /// @}
 
   /// \name Counts
+  /// in constant time.
   /// @{
+
+  /// returns the number of vertices.
   size_type number_of_vertices() const { return number_of(Vertex_tag()); }
+  /// returns the number of halfedges: twice that of edges.
   size_type number_of_halfedges() const { return number_of(Halfedge_tag()); }
+  /// returns the number of edges.
   size_type number_of_edges() const { return number_of(Edge_tag()); }
+  /// returns the number of faces.
   size_type number_of_faces() const { return number_of(Face_tag()); }
+  /// returns `number_of_vertices()`.
   size_type num_vertices() const { return number_of_vertices(); }
+  /// returns `number_of_halfedges()`.
   size_type num_halfedges() const { return number_of_halfedges(); }
+  /// returns `number_of_edges()`.
   size_type num_edges() const { return number_of_edges(); }
+  /// returns `number_of_faces()`.
   size_type num_faces() const { return number_of_faces(); }
+  /// returns whether there are no vertices.
   bool is_empty() const { return number_of_vertices() == 0; }
   /// @}
 
   /// \name Removed Elements
   /// There are none. The members are there for programs written for `Surface_mesh`.
   /// @{
+
+  /// returns 0.
   size_type number_of_removed_vertices() const { return 0; }
+  /// returns 0.
   size_type number_of_removed_halfedges() const { return 0; }
+  /// returns 0.
   size_type number_of_removed_edges() const { return 0; }
+  /// returns 0.
   size_type number_of_removed_faces() const { return 0; }
+  /// returns `false`.
   template <class Tag> bool is_removed(Descriptor<Tag>) const { return false; }
+  /// returns `false`.
   bool has_garbage() const { return false; }
+  /// does nothing.
   void collect_garbage() {}
-  /// @}
-
-  /// \name Ranges
-  /// in the order of the indices.
-  /// @{
-  Vertex_range vertices() const { return all<Vertex_index>(); }
-  Halfedge_range halfedges() const { return all<Halfedge_index>(); }
-  Edge_range edges() const { return all<Edge_index>(); }
-  Face_range faces() const { return all<Face_index>(); }
-  Vertex_iterator vertices_begin() const { return vertices().begin(); }
-  Vertex_iterator vertices_end() const { return vertices().end(); }
-  Halfedge_iterator halfedges_begin() const { return halfedges().begin(); }
-  Halfedge_iterator halfedges_end() const { return halfedges().end(); }
-  Edge_iterator edges_begin() const { return edges().begin(); }
-  Edge_iterator edges_end() const { return edges().end(); }
-  Face_iterator faces_begin() const { return faces().begin(); }
-  Face_iterator faces_end() const { return faces().end(); }
-
-  /// returns the neighbors of `target(h)`, clockwise, from `source(h)` on.
-  Vertex_around_target_range vertices_around_target(Halfedge_index h) const
-  {
-    return CGAL::vertices_around_target(h, *this);
-  }
-  /// returns the halfedges with the target of `h`, clockwise, from `h` on.
-  Halfedge_around_target_range halfedges_around_target(Halfedge_index h) const
-  {
-    return CGAL::halfedges_around_target(h, *this);
-  }
-  /// returns the faces at `target(h)`, clockwise, from `face(h)` on.
-  Face_around_target_range faces_around_target(Halfedge_index h) const { return CGAL::faces_around_target(h, *this); }
-  /// returns the vertices of the face of `h`, counterclockwise, from `target(h)` on.
-  Vertex_around_face_range vertices_around_face(Halfedge_index h) const { return CGAL::vertices_around_face(h, *this); }
-  /// returns the halfedges of the face of `h`, counterclockwise, from `h` on.
-  Halfedge_around_face_range halfedges_around_face(Halfedge_index h) const
-  {
-    return CGAL::halfedges_around_face(h, *this);
-  }
-  /// returns the faces across the edges of the face of `h`, counterclockwise, from `face(opposite(h))` on.
-  Face_around_face_range faces_around_face(Halfedge_index h) const { return CGAL::faces_around_face(h, *this); }
   /// @}
 
   /// \name Navigation
@@ -507,9 +499,14 @@ public:
 
   /// \name Null Elements
   /// @{
+
+  /// returns the vertex that is none.
   static Vertex_index null_vertex() { return Vertex_index(); }
+  /// returns the halfedge that is none.
   static Halfedge_index null_halfedge() { return Halfedge_index(); }
+  /// returns the edge that is none.
   static Edge_index null_edge() { return Edge_index(); }
+  /// returns the face that is none.
   static Face_index null_face() { return Face_index(); }
   /// @}
 
@@ -544,12 +541,6 @@ private:
   size_type number_of(Halfedge_tag) const { return static_cast<size_type>(m_layout.num_halfedges()); }
   size_type number_of(Edge_tag) const { return static_cast<size_type>(m_layout.num_edges()); }
   size_type number_of(Face_tag) const { return static_cast<size_type>(m_layout.num_faces()); }
-
-  template <class D>
-  Iterator_range<Iterator_over<D> > all() const
-  {
-    return Compact_surface_mesh_descriptors::first_descriptors<D>(number_of(typename D::tag()));
-  }
 
   // Every property map, the points' too, then has a value per element.
   void set_layout(Layout&& layout)

@@ -109,8 +109,11 @@ public:
   \param g the mesh
   \param vertex_index numbers the vertices of `g` from 0 without holes
   */
-  template <class FaceGraph, class VertexIndexMap,
-            std::enable_if_t<!std::is_integral<FaceGraph>::value, int> = 0>
+  template <class FaceGraph, class VertexIndexMap
+#ifndef DOXYGEN_RUNNING
+            , std::enable_if_t<!std::is_integral<FaceGraph>::value, int> = 0
+#endif
+            >
   Corner_table(const FaceGraph& g, const VertexIndexMap& vertex_index)
   {
     const auto vertex_range = vertices(g);
@@ -125,9 +128,14 @@ public:
   /// @}
 
   /// \name Counts
+  /// in constant time.
   /// @{
+
+  /// returns the number of vertices, isolated ones included.
   std::size_t num_vertices() const { return m_num_vertices; }
+  /// returns the number of triangles.
   std::size_t num_faces() const { return m_vertex.size() / 3; }
+  /// returns the number of halfedges that have a triangle, which is that of corners.
   std::size_t num_halfedges() const { return m_vertex.size(); }
   /// returns the number of bytes that the table has allocated.
   std::size_t bytes() const { return (m_vertex.capacity() + m_opposite.capacity()) * sizeof(Index); }

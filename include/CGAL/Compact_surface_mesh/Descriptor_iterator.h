@@ -27,11 +27,15 @@ namespace Compact_surface_mesh_descriptors {
 A random access iterator over all elements of one kind, in the order of their indices.
 It knows the element only, not the mesh, and is dereferenced by value: so references
 to what it yields can be kept, and it can be reversed.
+
+\tparam Descriptor the type of the elements: a \ref Compact_surface_mesh_descriptors::Descriptor "Descriptor"
 */
 template <class Descriptor>
 class Descriptor_iterator
+#ifndef DOXYGEN_RUNNING
   : public boost::iterator_facade<Descriptor_iterator<Descriptor>, const Descriptor,
                                   std::random_access_iterator_tag, Descriptor>
+#endif
 {
 public:
   /// creates an iterator that must be assigned to before use.
@@ -59,6 +63,7 @@ private:
   Descriptor m_descriptor;
 };
 
+#ifndef DOXYGEN_RUNNING
 // The elements with indices from 0 to n-1.
 template <class Descriptor>
 Iterator_range<Descriptor_iterator<Descriptor> > first_descriptors(std::size_t n)
@@ -67,6 +72,7 @@ Iterator_range<Descriptor_iterator<Descriptor> > first_descriptors(std::size_t n
   using Index = typename Descriptor::size_type;
   return CGAL::make_range(Iterator(Descriptor(Index(0))), Iterator(Descriptor(static_cast<Index>(n))));
 }
+#endif
 
 } // namespace Compact_surface_mesh_descriptors
 

@@ -79,6 +79,7 @@ public:
   or finds the one that has this name and type already.
   \param name a name, by custom starting with `v:`, `h:`, `e:` or `f:`; a new name is made
     if it is empty
+  \param value what the elements of a new map get
   \returns the map and whether it is new
   */
   template <class I, class T>
@@ -176,6 +177,8 @@ public:
 
   /// @}
 
+#ifndef DOXYGEN_RUNNING
+  // for the mesh that derives from it
 protected:
   Element_properties() { find_points(); }
 
@@ -227,6 +230,7 @@ protected:
     container<Edge_index_>().resize(num_edges);
     container<Face_index_>().resize(num_faces);
   }
+#endif
 
 private:
   template <class I> Container<I>& container() { return std::get<Container<I> >(m_containers); }

@@ -26,18 +26,52 @@
 
 namespace CGAL {
 
+/*!
+\ingroup PkgCompactSurfaceMeshRef
+The names of vertices, halfedges, edges and faces of a `Compact_surface_mesh`, and the
+iterators over them.
+*/
 namespace Compact_surface_mesh_descriptors {
 
-/// \name Kinds of Elements
-/// @{
-struct Vertex_tag   { static constexpr const char* name() { return "vertex"; } };
-struct Halfedge_tag { static constexpr const char* name() { return "halfedge"; } };
-struct Face_tag     { static constexpr const char* name() { return "face"; } };
-/// edges of which edge `e` has the halfedges `2e` and `2e+1`.
-struct Edge_tag     { static constexpr const char* name() { return "edge"; } };
-/// edges whose numbers only the layout knows.
-struct Listed_edge_tag : Edge_tag {};
-/// @}
+/// \ingroup PkgCompactSurfaceMeshRef
+/// The kind of vertices.
+struct Vertex_tag
+{
+  /// returns `"vertex"`.
+  static constexpr const char* name() { return "vertex"; }
+};
+
+/// \ingroup PkgCompactSurfaceMeshRef
+/// The kind of halfedges.
+struct Halfedge_tag
+{
+  /// returns `"halfedge"`.
+  static constexpr const char* name() { return "halfedge"; }
+};
+
+/// \ingroup PkgCompactSurfaceMeshRef
+/// The kind of faces.
+struct Face_tag
+{
+  /// returns `"face"`.
+  static constexpr const char* name() { return "face"; }
+};
+
+/// \ingroup PkgCompactSurfaceMeshRef
+/// The kind of edges of which edge `e` has the halfedges `2e` and `2e+1`.
+struct Edge_tag
+{
+  /// returns `"edge"`.
+  static constexpr const char* name() { return "edge"; }
+};
+
+/// \ingroup PkgCompactSurfaceMeshRef
+/// The kind of edges whose numbers only the layout knows.
+struct Listed_edge_tag
+  : Edge_tag
+{};
+
+#ifndef DOXYGEN_RUNNING
 
 template <class Tag, class Index>
 class Descriptor;
@@ -128,28 +162,41 @@ private:
   Index m_halfedge = null_index<Index>;
 };
 
+#endif // DOXYGEN_RUNNING
+
 /*!
 \ingroup PkgCompactSurfaceMeshRef
 
 The class `Descriptor` names a vertex, a halfedge, an edge or a face of a
-`Compact_surface_mesh` by its index, as the descriptors of `Surface_mesh` do: indices
-are contiguous and start at 0, and a descriptor converts to its index. A default
-constructed descriptor names no element, and is the null descriptor of its kind.
+`Compact_surface_mesh` by its index, as the descriptors of `Surface_mesh` do. It does not
+know the mesh: it names the element with that index in any mesh of the type.
 
-Descriptors of one kind are compared by their indices, the null descriptor being the
-last; descriptors of different kinds can neither be compared nor converted.
+<b>Indices.</b> The elements of a kind have the indices from 0 to their number less one. A
+descriptor converts to its index.
 
-An edge remembers from which of its two halfedges it was made. Comparison, order and
-hash ignore that.
+<b>Null.</b> A default constructed descriptor names no element. It is the null descriptor of
+its kind, and its index is the largest value of `Index`; only that of an edge whose kind is
+`Edge_tag` is half of that.
 
-\tparam Tag says of which kind the element is
+<b>Order and hash.</b> Descriptors of one kind are compared by their indices, the null
+descriptor being the last, and are hashed by them, for \boost and the standard library.
+Descriptors of different kinds can neither be compared nor converted.
+
+<b>Edges.</b> An edge remembers from which of its two halfedges it was made, and
+`Compact_surface_mesh::halfedge()` returns that one. Made from its index alone, it stands
+for the same halfedge always. Comparison, order and hash ignore what it remembers.
+
+\tparam Tag says of which kind the element is: `Vertex_tag`, `Halfedge_tag`, `Face_tag`, or,
+depending on the layout, `Edge_tag` or `Listed_edge_tag`
 \tparam Index an unsigned integer type
 
 \cgalModels{Index, LessThanComparable, Hashable}
 */
 template <class Tag, class Index>
 class Descriptor
+#ifndef DOXYGEN_RUNNING
   : public Descriptor_storage<Tag, Index>
+#endif
 {
   using Storage = Descriptor_storage<Tag, Index>;
 
@@ -168,13 +215,19 @@ public:
   /// creates the descriptor of the element with index `i`.
   explicit Descriptor(size_type i);
 
-  /// creates the descriptor of the edge of `h`, which remembers `h`. Only for edges, and
-  /// only where edge `e` has the halfedges `2e` and `2e+1`.
+  /// creates the descriptor of the edge of `h`, which remembers `h`. Only for the kind `Edge_tag`.
   explicit Descriptor(Descriptor<Halfedge_tag, Index> h);
 
-  /// returns the halfedge that the edge remembers. Only for edges, and only where edge
-  /// `e` has the halfedges `2e` and `2e+1`.
+  /// creates the descriptor of the edge with index `e`, which remembers its halfedge `h`. Only
+  /// for the kind `Listed_edge_tag`.
+  Descriptor(size_type e, Descriptor<Halfedge_tag, Index> h);
+
+  /// returns the halfedge that the edge remembers. Only for the kind `Edge_tag`.
   Descriptor<Halfedge_tag, Index> halfedge() const;
+
+  /// returns the halfedge that the edge remembers, null if it was made from its index alone.
+  /// Only for the kind `Listed_edge_tag`.
+  Descriptor<Halfedge_tag, Index> remembered_halfedge() const;
 
   /// returns the index of the element.
   size_type idx() const;
@@ -202,22 +255,34 @@ public:
   /// \name Stepping
   /// to the elements with the next and previous indices, whether they exist or not.
   /// @{
+
+  /// steps forward.
   Descriptor& operator++() { this->advance(1); return *this; }
+  /// steps backward.
   Descriptor& operator--() { this->advance(-1); return *this; }
+  /// steps forward and returns where it was.
   Descriptor operator++(int) { Descriptor old(*this); ++*this; return old; }
+  /// steps backward and returns where it was.
   Descriptor operator--(int) { Descriptor old(*this); --*this; return old; }
+  /// steps forward `n` times; backward if `n` is negative.
   Descriptor& operator+=(std::ptrdiff_t n) { this->advance(n); return *this; }
   /// @}
 
   /// \name Comparison
   /// @{
+
+  /// returns whether `a` and `b` are the same element, or null both.
   friend constexpr bool operator==(const Descriptor& a, const Descriptor& b) { return a.idx() == b.idx(); }
+  /// returns whether `a` and `b` differ.
   friend constexpr bool operator!=(const Descriptor& a, const Descriptor& b) { return a.idx() != b.idx(); }
+  /// returns whether the index of `a` is smaller than that of `b`.
   friend constexpr bool operator<(const Descriptor& a, const Descriptor& b) { return a.idx() < b.idx(); }
 
+#ifndef DOXYGEN_RUNNING
   template <class T> friend bool operator==(const Descriptor&, const T&) = delete;
   template <class T> friend bool operator!=(const Descriptor&, const T&) = delete;
   template <class T> friend bool operator<(const Descriptor&, const T&) = delete;
+#endif
   /// @}
 
   /// returns the hash value of `d`, for Boost.
@@ -231,6 +296,7 @@ public:
   }
 };
 
+#ifndef DOXYGEN_RUNNING
 // The descriptors of a mesh whose layout numbers edges by halves of halfedges, or not.
 template <class Index, bool edge_is_half_of_halfedge>
 struct Descriptors
@@ -240,9 +306,11 @@ struct Descriptors
   using Edge_index = Descriptor<std::conditional_t<edge_is_half_of_halfedge, Edge_tag, Listed_edge_tag>, Index>;
   using Face_index = Descriptor<Face_tag, Index>;
 };
+#endif
 
 } // namespace Compact_surface_mesh_descriptors
 
+#ifndef DOXYGEN_RUNNING
 namespace internal {
 namespace handle {
 
@@ -257,9 +325,11 @@ struct Hash_functor<Compact_surface_mesh_descriptors::Descriptor<Tag, Index> >
 
 } // namespace handle
 } // namespace internal
+#endif
 
 } // namespace CGAL
 
+#ifndef DOXYGEN_RUNNING
 namespace std {
 
 template <class Tag, class Index>
@@ -272,5 +342,6 @@ struct hash<CGAL::Compact_surface_mesh_descriptors::Descriptor<Tag, Index> >
 };
 
 } // namespace std
+#endif
 
 #endif // CGAL_COMPACT_SURFACE_MESH_DESCRIPTORS_H

@@ -50,15 +50,22 @@ public:
   /// whether `edge(h) == h / 2` and `opposite(h) == (h ^ 1)`.
   static constexpr bool edge_is_half_of_halfedge = false;
 
+  /// returns the index of no element: the largest value of `Index`.
   static constexpr Index null_index() { return Table::null(); }
+  /// returns `"corner-table"`.
   static std::string name() { return "corner-table"; }
+  /// returns the largest number of vertices for which `Index` is wide enough.
   // 3f corners with f < 2n, and six more while the table is closed
   static std::size_t max_vertices() { return null_index() / 6 - 1; }
 
   /// creates the layout of the empty mesh.
   Corner_table_layout() = default;
 
-  /// takes the table of `t` over in linear time; vertices keep their indices.
+  /*!
+  takes the table of `t` over in linear time; vertices keep their indices.
+  \param t the triangulation; it is empty afterwards
+  \param vertex_of_input gets, appended, the indices of the vertices: 0, 1, 2 and so on
+  */
   Corner_table_layout(Closed_triangulation<Index>&& t, std::vector<Index>& vertex_of_input)
     : m_table(t.release()), m_halfedge(m_table.num_vertices(), null_index())
   {
@@ -71,33 +78,48 @@ public:
   }
 
   /// \name Counts
+  /// in constant time.
   /// @{
+
+  /// returns the number of vertices.
   std::size_t num_vertices() const { return m_table.num_vertices(); }
+  /// returns the number of halfedges.
   std::size_t num_halfedges() const { return m_table.num_halfedges(); }
+  /// returns the number of edges.
   std::size_t num_edges() const { return m_first_of_edge.count(); }
+  /// returns the number of faces.
   std::size_t num_faces() const { return m_table.num_faces(); }
   /// @}
 
   /// \name Navigation
+  /// in constant time, unless said otherwise.
   /// @{
-  static Index next(Index h) { return Table::next(h); }
-  static Index prev(Index h) { return Table::prev(h); }
-  Index opposite(Index h) const { return m_table.opposite(h); }
-  Index source(Index h) const { return m_table.source(h); }
-  Index target(Index h) const { return m_table.target(h); }
-  static Index face(Index h) { return Table::face(h); }
 
-  /// in constant time, by the rank of a bit.
+  /// returns the next halfedge counterclockwise around the face of `h`.
+  static Index next(Index h) { return Table::next(h); }
+  /// returns the halfedge whose next one is `h`.
+  static Index prev(Index h) { return Table::prev(h); }
+  /// returns the other halfedge of the edge of `h`.
+  Index opposite(Index h) const { return m_table.opposite(h); }
+  /// returns the vertex where `h` starts.
+  Index source(Index h) const { return m_table.source(h); }
+  /// returns the vertex where `h` ends.
+  Index target(Index h) const { return m_table.target(h); }
+  /// returns the face to the left of `h`.
+  static Index face(Index h) { return Table::face(h); }
+  /// returns the edge of `h`, by the rank of a bit.
   Index edge(Index h) const
   {
     return static_cast<Index>(m_first_of_edge.rank((std::min)(h, m_table.opposite(h))));
   }
-  /// in logarithmic time, by the selection of a bit.
+  /// returns the halfedge of `e` with the smaller index, in logarithmic time by the selection of a bit.
   Index halfedge_of_edge(Index e) const { return static_cast<Index>(m_first_of_edge.select(e)); }
+  /// returns a halfedge whose target is `v`, always the same.
   Index halfedge_of_vertex(Index v) const { return m_halfedge[v]; }
+  /// returns the first halfedge of `f`, `3f`.
   static Index halfedge_of_face(Index f) { return 3 * f; }
-
-  /// in time linear in the smaller degree.
+  /// returns the halfedge from `u` to `v`, `null_index()` if they are not adjacent, in time
+  /// linear in the smaller degree.
   Index halfedge(Index u, Index v) const
   {
     const Index first_out = m_table.next(m_halfedge[u]), first_in = m_halfedge[v];
@@ -116,6 +138,8 @@ public:
 
   /// \name Whole Stars
   /// @{
+
+  /// calls `visit(u)` for each vertex `u` adjacent to `v`, once each, in no particular order.
   template <class Visitor>
   void for_each_adjacent_vertex(Index v, Visitor&& visit) const
   {
@@ -127,6 +151,8 @@ public:
     } while (h != first);
   }
 
+  /// calls `visit(u, w)` for each face (`v`,`u`,`w`), counterclockwise, at `v`, once each, in
+  /// no particular order.
   template <class Visitor>
   void for_each_incident_triangle(Index v, Visitor&& visit) const
   {
@@ -139,6 +165,7 @@ public:
     } while (h != first);
   }
 
+  /// returns the number of edges at `v`, in time linear in that number.
   Index degree(Index v) const
   {
     Index d = 0;
@@ -146,6 +173,7 @@ public:
     return d;
   }
 
+  /// returns the vertices of `f` counterclockwise, from the target of `halfedge_of_face(f)` on.
   std::array<Index, 3> vertices_of_face(Index f) const
   {
     return { m_table.source(3 * f + 1), m_table.source(3 * f + 2), m_table.source(3 * f) };

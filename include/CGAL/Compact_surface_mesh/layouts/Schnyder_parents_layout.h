@@ -70,8 +70,11 @@ public:
   /// whether `edge(h) == h / 2` and `opposite(h) == (h ^ 1)`.
   static constexpr bool edge_is_half_of_halfedge = true;
 
+  /// returns the index of no element: the largest value of `Index`.
   static constexpr Index null_index() { return (std::numeric_limits<Index>::max)(); }
+  /// returns `"schnyder-parents-4n"`, with the number of references.
   static std::string name() { return "schnyder-parents-" + std::to_string(References) + "n"; }
+  /// returns the largest number of vertices that fits beside the flags in `Index`.
   static std::size_t max_vertices() { return Records::max_records; }
 
   /// returns the largest number of steps that any query walks along a list.
@@ -106,11 +109,17 @@ public:
   }
 
   /// \name Counts
+  /// in constant time.
   /// @{
+
+  /// returns the number of vertices.
   std::size_t num_vertices() const { return m_records.records.size(); }
+  /// returns the number of halfedges.
   std::size_t num_halfedges() const { return 2 * num_edges(); }
+  /// returns the number of edges.
   // the three vertices around the root face own one edge each, the others three
   std::size_t num_edges() const { return num_vertices() + 2 * std::size_t(m_border); }
+  /// returns the number of faces.
   std::size_t num_faces() const { return 2 * (std::size_t(m_border) + (num_vertices() - m_border) / 3); }
   /// @}
 
@@ -118,6 +127,7 @@ public:
   /// All in constant time.
   /// @{
 
+  /// returns the next halfedge counterclockwise around the face of `h`.
   Index next(Index h) const
   {
     if (BOOST_UNLIKELY(h >= inner_halfedges()))
@@ -126,6 +136,7 @@ public:
     return halfedge_index(s.x, s.k);
   }
 
+  /// returns the halfedge whose next one is `h`.
   Index prev(Index h) const
   {
     if (BOOST_UNLIKELY(h >= inner_halfedges()))
@@ -134,20 +145,24 @@ public:
     return halfedge_index(s.x, s.k);
   }
 
+  /// returns the other halfedge of the edge of `h`.
   static Index opposite(Index h) { return h ^ 1; }
 
+  /// returns the vertex where `h` starts.
   Index source(Index h) const
   {
     const auto s = side(h);
     return any().source({ s.x, s.k });
   }
 
+  /// returns the vertex where `h` ends.
   Index target(Index h) const
   {
     const auto s = side(h);
     return any().target({ s.x, s.k });
   }
 
+  /// returns the face to the left of `h`.
   Index face(Index h) const
   {
     if (BOOST_UNLIKELY(h >= inner_halfedges()))
@@ -156,9 +171,12 @@ public:
     return face_index(f.x, f.owner);
   }
 
+  /// returns the edge of `h`.
   static Index edge(Index h) { return h / 2; }
+  /// returns the halfedge of `e` that starts at the vertex which owns `e`.
   static Index halfedge_of_edge(Index e) { return 2 * e; }
 
+  /// returns a halfedge whose target is `v`, always the same.
   Index halfedge_of_vertex(Index v) const
   {
     if (BOOST_LIKELY(v < m_border))
@@ -167,6 +185,7 @@ public:
     return halfedge_index(s.x, s.k);
   }
 
+  /// returns a halfedge whose face is `f`, always the same.
   Index halfedge_of_face(Index f) const
   {
     if (BOOST_LIKELY(f < 2 * m_border))
@@ -179,6 +198,7 @@ public:
     return halfedge_index(family + 1, 5);
   }
 
+  /// returns the halfedge from `u` to `v`, `null_index()` if they are not adjacent.
   Index halfedge(Index u, Index v) const
   {
     if (u == v)

@@ -23,6 +23,8 @@
 
 #include <utility>
 
+#ifndef DOXYGEN_RUNNING // what the documented concepts ask for
+
 namespace boost {
 
 template <class Point, class Layout>
@@ -315,5 +317,7 @@ void normalize_border(const Compact_surface_mesh<P, L>&)
 {}
 
 } // namespace CGAL
+
+#endif // DOXYGEN_RUNNING
 
 #endif // CGAL_BOOST_GRAPH_TRAITS_COMPACT_SURFACE_MESH_H

@@ -36,6 +36,8 @@
 
 namespace CGAL {
 
+#ifndef DOXYGEN_RUNNING
+
 namespace internal {
 
 /// \name Maps
@@ -262,12 +264,16 @@ struct graph_has_property<const Compact_surface_mesh<P, L>, Tag>
   : internal::Is_intrinsic_tag<Compact_surface_mesh<P, L>, Tag>::type
 {};
 
+#endif // DOXYGEN_RUNNING
+
 /// \relates Compact_surface_mesh
 /// returns the property map of `tag`: indices, points, edge weights; or finds a named one,
 /// which is null if the mesh has no map of that name.
 template <class P, class L, class Tag>
 auto get(Tag, const Compact_surface_mesh<P, L>& g)
+#ifndef DOXYGEN_RUNNING
   -> typename internal::Map_by_tag<Compact_surface_mesh<P, L>, Tag>::type
+#endif
 {
   return internal::Map_by_tag<Compact_surface_mesh<P, L>, Tag>::make(g);
 }
@@ -277,13 +283,16 @@ auto get(Tag, const Compact_surface_mesh<P, L>& g)
 /// and adds it if the mesh has no map of that name.
 template <class P, class L, class Tag>
 auto get(Tag, Compact_surface_mesh<P, L>& g)
+#ifndef DOXYGEN_RUNNING
   -> typename internal::Map_by_tag<Compact_surface_mesh<P, L>, Tag>::type
+#endif
 {
   return internal::Map_by_tag<Compact_surface_mesh<P, L>, Tag>::make(g);
 }
 
-/// \relates Compact_surface_mesh
-/// returns the value of `key` in the property map of `tag`: its index, point or edge weight.
+#ifndef DOXYGEN_RUNNING
+
+// The value of `key` in the property map of `tag`: its index, point or edge weight.
 template <class P, class L, class Tag>
 auto get(Tag tag, const Compact_surface_mesh<P, L>& g,
          const typename internal::Enable_if_intrinsic<Compact_surface_mesh<P, L>, Tag>::key_type& key)
@@ -292,8 +301,7 @@ auto get(Tag tag, const Compact_surface_mesh<P, L>& g,
   return get(get(tag, g), key);
 }
 
-/// \relates Compact_surface_mesh
-/// moves vertex `v` to `point`.
+// Moves vertex `v` to `point`.
 template <class P, class L>
 void put(vertex_point_t tag, const Compact_surface_mesh<P, L>& g,
          const typename Compact_surface_mesh<P, L>::Vertex_index& v, const P& point)
@@ -301,7 +309,11 @@ void put(vertex_point_t tag, const Compact_surface_mesh<P, L>& g,
   put(get(tag, g), v, point);
 }
 
+#endif // DOXYGEN_RUNNING
+
 } // namespace CGAL
+
+#ifndef DOXYGEN_RUNNING
 
 namespace boost {
 
@@ -348,5 +360,7 @@ CGAL_COMPACT_SURFACE_MESH_DYNAMIC_MAP(dynamic_edge_property_t, Edge_index, num_e
 CGAL_COMPACT_SURFACE_MESH_DYNAMIC_MAP(dynamic_face_property_t, Face_index, num_faces)
 
 #undef CGAL_COMPACT_SURFACE_MESH_DYNAMIC_MAP
+
+#endif // DOXYGEN_RUNNING
 
 #endif // CGAL_PROPERTIES_COMPACT_SURFACE_MESH_H
