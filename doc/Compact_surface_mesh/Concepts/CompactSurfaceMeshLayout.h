@@ -69,10 +69,16 @@ CompactSurfaceMeshLayout(CGAL::Closed_triangulation<Index>&& t,
 /// @}
 
 /// \name Counts
+/// in constant time.
 /// @{
+
+/// the number of vertices.
 std::size_t num_vertices() const;
+/// the number of halfedges, those along borders included: twice that of edges.
 std::size_t num_halfedges() const;
+/// the number of edges.
 std::size_t num_edges() const;
+/// the number of faces.
 std::size_t num_faces() const;
 /// @}
 

@@ -1,0 +1,49 @@
+<?xml version='1.0' encoding='UTF-8' standalone='yes' ?>
+<!-- What the manual links to in the manual of CGAL when it is built outside of it. -->
+<tagfile>
+  <compound kind="group">
+    <name>bgl_namedparameters</name>
+    <title>Named Parameters</title>
+    <filename>BGL/group__bgl__namedparameters.html</filename>
+  </compound>
+  <compound kind="class">
+    <name>EdgeListGraph</name>
+    <filename>BGL/classEdgeListGraph.html</filename>
+  </compound>
+  <compound kind="class">
+    <name>FaceGraph</name>
+    <filename>BGL/classFaceGraph.html</filename>
+  </compound>
+  <compound kind="class">
+    <name>FaceListGraph</name>
+    <filename>BGL/classFaceListGraph.html</filename>
+  </compound>
+  <compound kind="class">
+    <name>HalfedgeGraph</name>
+    <filename>BGL/classHalfedgeGraph.html</filename>
+  </compound>
+  <compound kind="class">
+    <name>HalfedgeListGraph</name>
+    <filename>BGL/classHalfedgeListGraph.html</filename>
+  </compound>
+  <compound kind="class">
+    <name>Hashable</name>
+    <filename>STL_Extension/classHashable.html</filename>
+  </compound>
+  <compound kind="class">
+    <name>MutableFaceGraph</name>
+    <filename>BGL/classMutableFaceGraph.html</filename>
+  </compound>
+  <compound kind="class">
+    <name>MutableHalfedgeGraph</name>
+    <filename>BGL/classMutableHalfedgeGraph.html</filename>
+  </compound>
+  <compound kind="class">
+    <name>VertexListGraph</name>
+    <filename>BGL/classVertexListGraph.html</filename>
+  </compound>
+  <compound kind="class">
+    <name>CGAL::Surface_mesh</name>
+    <filename>Surface_mesh/classCGAL_1_1Surface__mesh.html</filename>
+  </compound>
+</tagfile>
