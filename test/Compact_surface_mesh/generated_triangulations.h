@@ -19,20 +19,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <numeric>
 #include <random>
 #include <vector>
 
 namespace test {
-
-/// `size` times the environment variable COMPACT_SURFACE_MESH_TEST_SCALE, where that is
-/// set, but at least `least`.
-inline std::uint32_t scaled(std::uint32_t size, std::uint32_t least)
-{
-  const char* const scale = std::getenv("COMPACT_SURFACE_MESH_TEST_SCALE");
-  return (std::max)(least, scale == nullptr ? size : static_cast<std::uint32_t>(size * std::atof(scale)));
-}
 
 /// Triangles, each counterclockwise, over the vertices 0, ..., `num_vertices` - 1.
 struct Soup

@@ -1,0 +1,79 @@
+# Tests of the package as its users get it: installed, in parts, and documented.
+
+set(package_dir "${Compact_surface_mesh_SOURCE_DIR}")
+set(scratch_dir "${CMAKE_CURRENT_BINARY_DIR}/package")
+set(same_tools
+  -G "${CMAKE_GENERATOR}"
+  "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}"
+  "-DCMAKE_BUILD_TYPE=Debug"
+  "-DCGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON"
+  "-DCGAL_DIR=${CGAL_DIR}")
+
+# A foreign project finds the installed package, builds with it and runs.
+add_test(NAME package.install
+  COMMAND "${CMAKE_COMMAND}"
+    "-DBUILD_DIR=${Compact_surface_mesh_BINARY_DIR}" "-DPREFIX=${scratch_dir}/installed"
+    -P "${CMAKE_CURRENT_SOURCE_DIR}/consumer/install.cmake")
+add_test(NAME package.consumer_configures
+  COMMAND "${CMAKE_COMMAND}"
+    -S "${CMAKE_CURRENT_SOURCE_DIR}/consumer" -B "${scratch_dir}/consumer"
+    ${same_tools} "-DCompact_surface_mesh_ROOT=${scratch_dir}/installed")
+add_test(NAME package.consumer_builds
+  COMMAND "${CMAKE_COMMAND}" --build "${scratch_dir}/consumer")
+add_test(NAME package.consumer_runs
+  COMMAND "${scratch_dir}/consumer/consumer")
+set_tests_properties(package.install PROPERTIES
+  FIXTURES_SETUP installed_package)
+set_tests_properties(package.consumer_configures PROPERTIES
+  FIXTURES_REQUIRED installed_package FIXTURES_SETUP configured_consumer)
+set_tests_properties(package.consumer_builds PROPERTIES
+  FIXTURES_REQUIRED configured_consumer FIXTURES_SETUP built_consumer)
+set_tests_properties(package.consumer_runs PROPERTIES
+  FIXTURES_REQUIRED built_consumer)
+
+# Each part builds alone; to configure it shows that it finds what it needs.
+foreach(part IN ITEMS examples test benchmark)
+  add_test(NAME package.${part}_configure_alone
+    COMMAND "${CMAKE_COMMAND}"
+      -S "${package_dir}/${part}/Compact_surface_mesh" -B "${scratch_dir}/${part}"
+      ${same_tools})
+endforeach()
+add_test(NAME package.examples_build_alone
+  COMMAND "${CMAKE_COMMAND}" --build "${scratch_dir}/examples" --target csm_first_program)
+set_tests_properties(package.examples_configure_alone PROPERTIES
+  FIXTURES_SETUP configured_examples)
+set_tests_properties(package.examples_build_alone PROPERTIES
+  FIXTURES_REQUIRED configured_examples)
+
+# The examples run, on a sphere of 2,050 vertices and on a small one for the drawing.
+if(COMPACT_SURFACE_MESH_BUILD_EXAMPLES)
+  file(MAKE_DIRECTORY "${scratch_dir}")
+  add_test(NAME example.sphere
+    COMMAND "${package_dir}/scripts/write_sphere" 64 32 "${scratch_dir}/sphere.off")
+  add_test(NAME example.small_sphere
+    COMMAND "${package_dir}/scripts/write_sphere" 6 4 "${scratch_dir}/small_sphere.off")
+  set_tests_properties(example.sphere example.small_sphere PROPERTIES FIXTURES_SETUP spheres)
+
+  foreach(program IN ITEMS csm_first_program schnyder_wood_example)
+    add_test(NAME example.${program} COMMAND ${program})
+  endforeach()
+  add_test(NAME example.compact_mesh_report
+    COMMAND compact_mesh_report "${scratch_dir}/sphere.off" --layout all)
+  add_test(NAME example.compact_mesh_report_draws
+    COMMAND compact_mesh_report "${scratch_dir}/small_sphere.off" --svg "${scratch_dir}/wood.svg")
+  set_tests_properties(example.compact_mesh_report example.compact_mesh_report_draws PROPERTIES
+    FIXTURES_REQUIRED spheres)
+endif()
+
+# The manual builds, and any warning fails.
+find_package(Doxygen QUIET)
+if(DOXYGEN_FOUND)
+  file(WRITE "${scratch_dir}/Doxyfile"
+    "@INCLUDE = \"${package_dir}/doc/Compact_surface_mesh/Doxyfile\"\n"
+    "OUTPUT_DIRECTORY = \"${scratch_dir}\"\n")
+  add_test(NAME package.manual_builds_without_warnings
+    COMMAND "${DOXYGEN_EXECUTABLE}" "${scratch_dir}/Doxyfile"
+    WORKING_DIRECTORY "${package_dir}/doc/Compact_surface_mesh")
+else()
+  message(STATUS "Doxygen was not found: there will be no test of the manual.")
+endif()
