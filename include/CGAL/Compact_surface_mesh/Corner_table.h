@@ -173,10 +173,10 @@ public:
     const Index h = m_opposite[next(c)];
     return h == null() ? null() : prev(h);
   }
-  /// returns the corner opposite to the next one (operator l): of the triangle across the edge to the left.
-  Index left_corner(Index c) const { return opposite_corner(next(c)); }
-  /// returns the corner opposite to the previous one (operator r).
-  Index right_corner(Index c) const { return opposite_corner(prev(c)); }
+  /// returns the corner opposite to the previous one (operator l of the chapter cited above), `null()` on a border.
+  Index left_corner(Index c) const { return opposite_corner(prev(c)); }
+  /// returns the corner opposite to the next one (operator r), `null()` on a border.
+  Index right_corner(Index c) const { return opposite_corner(next(c)); }
   /// returns the next corner at the vertex of `c`, counterclockwise (operator s), `null()` behind a border.
   Index swing(Index c) const { return next_around_source(c); }
 

@@ -55,8 +55,8 @@ public:
   /// returns `"corner-table"`.
   static std::string name() { return "corner-table"; }
   /// returns the largest number of vertices for which `Index` is wide enough.
-  // 3f corners with f < 2n, and six more while the table is closed
-  static std::size_t max_vertices() { return null_index() / 6 - 1; }
+  // the 6n - 12 halfedges, and six more while the triangulation is closed, are below the null index
+  static std::size_t max_vertices() { return std::size_t(null_index()) / 6 + 1; }
 
   /// creates the layout of the empty mesh.
   Corner_table_layout() = default;

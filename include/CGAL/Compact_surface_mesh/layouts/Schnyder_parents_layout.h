@@ -286,7 +286,7 @@ public:
       return { x, m_records.is_leaf(x) ? m_records.blue_parent(x) : m_records.last_child(x),
                m_records.black_parent(x) };
     const Index p = m_records.red_parent(x);
-    return { p, m_records.is_first(x) ? m_records.blue_parent(p) : x - 1, x };
+    return { p, m_records.is_first(x) ? m_records.blue_parent(p) : static_cast<Index>(x - 1), x };
   }
 
   /// @}

@@ -54,10 +54,13 @@ public:
     const Index v0_v2 = table.next(base), v2_v1 = table.next(v0_v2);
     const Index start[3] = { table.opposite(base), table.opposite(v2_v1), table.opposite(v0_v2) };
     m_corners.reserve(64);
-    for (Index i = 0; i < 3; ++i) {
-      m_corners.push_back(Corner{ start[i], (i + 1) % 3, (i + 2) % 3, false });
-      m_chords[table.source(start[i])] = 0;
+    for (const Index halfedge : start) {
+      m_corners.push_back(Corner{ halfedge, 0, 0, false });
+      m_chords[table.source(halfedge)] = 0;
     }
+    link(0, 1);
+    link(1, 2);
+    link(2, 0);
     m_faces_left -= 1;
     push(2);
   }

@@ -61,12 +61,23 @@ struct Schnyder_parents_operators
 {
   struct Side
   {
+    // Integer is wider than Index where indices are narrow: arithmetic promotes them.
+    template <class Integer>
+    Side(Integer x, unsigned k)
+      : x(static_cast<Index>(x)), k(k)
+    {}
+
     Index x;
     unsigned k;
   };
   enum Owner : unsigned { A = 0, B = 1, hole = 2 };
   struct Face
   {
+    template <class Integer>
+    Face(Integer x, Owner owner)
+      : x(static_cast<Index>(x)), owner(owner)
+    {}
+
     Index x;
     Owner owner; // hole: x is a vertex around the apex
   };
