@@ -8,8 +8,8 @@
 // Times of traversals in all layouts and in Surface_mesh, on large meshes of several kinds
 // and orders, as ratios to Surface_mesh.
 //
-// The times are taken by std::chrono: Google Benchmark runs one function after the other, and
-// ratios want functions to take turns.
+// Google Benchmark does not serve here: it runs one function after the other, and ratios want
+// functions to take turns.
 
 #include "../../examples/Compact_surface_mesh/comparison.h"
 

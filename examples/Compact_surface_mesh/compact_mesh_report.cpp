@@ -10,6 +10,7 @@
 
 #include "cgal_answers.h"
 #include "comparison.h"
+#include "schnyder_embedding.h"
 #include "schnyder_svg.h"
 
 #include <chrono>
@@ -188,7 +189,9 @@ void draw(const Triangle_soup& soup, const std::string& file)
 void report(const Arguments& arguments)
 {
   show_progress("reading " + arguments.mesh);
-  const Triangle_soup soup = soup_of_argument(arguments.mesh);
+  Triangle_soup soup = soup_of_argument(arguments.mesh);
+  if (arguments.mesh.rfind("random:", 0) == 0)
+    embed(soup);
   const auto wants = [&](const std::string& name) { return arguments.layout == "all" || name == arguments.layout; };
   const std::size_t v = soup.points.size(), f = soup.triangles.size();
   {

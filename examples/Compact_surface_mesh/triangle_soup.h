@@ -146,7 +146,7 @@ inline Triangle_soup sphere(std::size_t n)
 }
 
 /// generates a uniform random triangulation of `n` vertices. These lie on the unit sphere,
-/// along a spiral in the order of their indices, so that its faces overlap.
+/// along a spiral in the order of their indices: its faces overlap, see `embed()`.
 inline Triangle_soup random_soup(std::size_t n, unsigned int seed)
 {
   if (n < 4)
