@@ -190,7 +190,7 @@ int main(int argc, char* argv[])
   try {
     measure_all(arguments);
   } catch (const std::exception& e) {
-    std::cerr << e.what() << std::endl;
+    std::cerr << arguments.mesh << ": " << e.what() << std::endl;
     return 1;
   }
   return 0;

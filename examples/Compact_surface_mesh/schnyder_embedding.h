@@ -24,7 +24,7 @@
 
 namespace example {
 
-/// moves all vertices to Schnyder's straight-line drawing, lifted to a paraboloid.
+/// moves all vertices to Schnyder's straight-line drawing, lifted to a paraboloid, with faces looking out.
 inline void embed(Triangle_soup& soup)
 {
   using Mesh = CGAL::Compact_surface_mesh<Point>;
@@ -39,7 +39,7 @@ inline void embed(Triangle_soup& soup)
   for (std::size_t v = 0; v < image.size(); ++v) {
     const std::array<std::size_t, 3> c = get(coordinates, image[v]);
     const double x = static_cast<double>(c[1]) / sum, y = static_cast<double>(c[2]) / sum;
-    soup.points[v] = Point(x, y, x * x + y * y);
+    soup.points[v] = Point(x, y, -x * x - y * y);
   }
 }
 

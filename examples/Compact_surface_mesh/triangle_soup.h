@@ -47,15 +47,17 @@ struct Triangle_soup
 /// @{
 
 /// reads an OFF, PLY, OBJ or STL file.
-/// \throws std::runtime_error if there is no such file, or it cannot be read
+/// \throws std::runtime_error if the file cannot be read or has no faces
 /// \throws CGAL::Mesh_defect_exception if it holds anything but a closed connected triangle
 ///   mesh of genus 0
 inline Triangle_soup read_soup(const std::string& file)
 {
   Triangle_soup soup;
   std::vector<std::vector<std::size_t> > polygons;
-  if (!CGAL::IO::read_polygon_soup(file, soup.points, polygons, CGAL::parameters::verbose(true)))
-    throw std::runtime_error("cannot read " + file);
+  if (!CGAL::IO::read_polygon_soup(file, soup.points, polygons))
+    throw std::runtime_error("cannot be read");
+  if (polygons.empty())
+    throw std::runtime_error("has no faces");
   CGAL::Closed_triangulation<>::check(CGAL::Corner_table<>(soup.points.size(), polygons));
   soup.triangles.resize(polygons.size());
   for (std::size_t f = 0; f < polygons.size(); ++f)
@@ -150,7 +152,7 @@ inline Triangle_soup sphere(std::size_t n)
 inline Triangle_soup random_soup(std::size_t n, unsigned int seed)
 {
   if (n < 4)
-    throw std::runtime_error("a random triangulation needs 4 vertices");
+    throw std::runtime_error("a random triangulation has 4 vertices or more");
   CGAL::Random random(seed);
   Triangle_soup soup;
   soup.triangles = CGAL::random_planar_triangulation<std::uint32_t>(n, random);
@@ -185,7 +187,7 @@ inline Triangle_soup soup_of_argument(const std::string& argument)
     if (end == rest.size())
       return kind == "sphere" ? sphere(n) : random_soup(n, static_cast<unsigned int>(seed));
   } catch (const std::logic_error&) {} // not a number
-  throw std::runtime_error("no mesh: " + argument);
+  throw std::runtime_error("has something that is not a number");
 }
 
 /// @}

@@ -85,7 +85,7 @@ std::string refusal(const Make& make) { return text(thrown_by(make)); }
 
 std::string text(Mesh_defect defect, std::size_t element) { return text({Defect(defect, element)}); }
 
-// Corner tables of `soup` and of `copy` of it hold the same.
+// Whether two tables hold the same.
 template <class Index>
 bool are_equal(const Corner_table<Index>& a, const Corner_table<Index>& b)
 {

@@ -112,6 +112,20 @@ void for_each_word(std::size_t size, std::size_t num_ones, Function function)
   while (std::next_permutation(word.begin(), word.end()));
 }
 
+// How far the numbers of occurrences are, in standard deviations of the chi-square
+// statistic, from those of a uniform distribution with this mean number.
+template <class Key>
+double deviation_from_uniform(const std::map<Key, std::size_t>& occurrences, std::size_t mean)
+{
+  double chi_square = 0;
+  for (const auto& key_and_count : occurrences) {
+    const double difference = static_cast<double>(key_and_count.second) - static_cast<double>(mean);
+    chi_square += difference * difference / static_cast<double>(mean);
+  }
+  const double degrees_of_freedom = static_cast<double>(occurrences.size()) - 1;
+  return std::abs(chi_square - degrees_of_freedom) / std::sqrt(2 * degrees_of_freedom);
+}
+
 // How often each rooted triangulation with n vertices comes from a word and a choice
 // of the root.
 std::map<Triangles, std::size_t> occurrences_over_all_words(std::size_t n)
@@ -195,6 +209,19 @@ TEST(Random_planar_triangulation, can_be_every_enumerated_one_with_every_root)
   }
 }
 
+TEST(Random_planar_triangulation, comes_from_a_word_that_is_drawn_uniformly)
+{
+  CGAL::Random rng = random_source(9);
+  const std::size_t num_words = 84, mean = 500; // 9 letters, 3 ones
+  std::map<std::vector<bool>, std::size_t> occurrences;
+  for (std::size_t i = 0; i < mean * num_words; ++i)
+    ++occurrences[CGAL::internal::random_binary_word(9, 3, rng)];
+  EXPECT_EQ(num_words, occurrences.size());
+  for (const auto& word_and_count : occurrences)
+    ASSERT_EQ(3, std::count(word_and_count.first.begin(), word_and_count.first.end(), true));
+  EXPECT_LT(deviation_from_uniform(occurrences, mean), 4);
+}
+
 TEST(Random_planar_triangulation, is_drawn_uniformly)
 {
   CGAL::Random rng = random_source(2);
@@ -204,13 +231,7 @@ TEST(Random_planar_triangulation, is_drawn_uniformly)
     for (std::size_t i = 0; i < mean * num_classes; ++i)
       ++occurrences[test::Oriented_map(CGAL::random_planar_triangulation(n, rng)).code(0)];
     EXPECT_EQ(num_classes, occurrences.size()) << "n = " << n;
-    double chi_square = 0;
-    for (const auto& triangulation_and_count : occurrences) {
-      const double difference = static_cast<double>(triangulation_and_count.second) - static_cast<double>(mean);
-      chi_square += difference * difference / static_cast<double>(mean);
-    }
-    const double degrees_of_freedom = static_cast<double>(num_classes - 1);
-    EXPECT_LT(std::abs(chi_square - degrees_of_freedom), 4 * std::sqrt(2 * degrees_of_freedom)) << "n = " << n;
+    EXPECT_LT(deviation_from_uniform(occurrences, mean), 4) << "n = " << n;
   }
 }
 

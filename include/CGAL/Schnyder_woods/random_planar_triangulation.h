@@ -224,8 +224,10 @@ at most `4 * num_vertices - 10` values, and one integer of two values.
 
 \tparam Index an unsigned integer type.
 
-\param num_vertices the number of vertices. \pre `num_vertices >= 3`.
-\param rng the source of randomness; the same state gives the same triangulation.
+\param num_vertices the number of vertices
+\param rng the source of randomness; the same state gives the same triangulation
+
+\pre `num_vertices >= 3`
 
 \throws Mesh_defect_exception with `Mesh_defect::too_many_elements` and
 `num_vertices` if the number of halfedges, `6 * num_vertices - 12`, exceeds the
