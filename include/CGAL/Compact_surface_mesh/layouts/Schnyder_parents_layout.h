@@ -128,7 +128,7 @@ public:
   /// @{
 
   /// returns the next halfedge counterclockwise around the face of `h`.
-  Index next(Index h) const
+  BOOST_FORCEINLINE Index next(Index h) const
   {
     if (BOOST_UNLIKELY(h >= inner_halfedges()))
       return next_in_border_zone(h);
@@ -137,7 +137,7 @@ public:
   }
 
   /// returns the halfedge whose next one is `h`.
-  Index prev(Index h) const
+  BOOST_FORCEINLINE Index prev(Index h) const
   {
     if (BOOST_UNLIKELY(h >= inner_halfedges()))
       return prev_in_border_zone(h);
@@ -149,21 +149,21 @@ public:
   static Index opposite(Index h) { return h ^ 1; }
 
   /// returns the vertex where `h` starts.
-  Index source(Index h) const
+  BOOST_FORCEINLINE Index source(Index h) const
   {
     const auto s = side(h);
     return any().source({ s.x, s.k });
   }
 
   /// returns the vertex where `h` ends.
-  Index target(Index h) const
+  BOOST_FORCEINLINE Index target(Index h) const
   {
     const auto s = side(h);
     return any().target({ s.x, s.k });
   }
 
   /// returns the face to the left of `h`.
-  Index face(Index h) const
+  BOOST_FORCEINLINE Index face(Index h) const
   {
     if (BOOST_UNLIKELY(h >= inner_halfedges()))
       return face_in_border_zone(h);
@@ -305,18 +305,18 @@ public:
 
 private:
   // The lists of an inner vertex v: in-black counterclockwise, in-blue clockwise, both from
-  // the red edge on, and the red children counterclockwise.
+  // the red edge on, and the red children counterclockwise. Each loop calls its visitor in
+  // one place: with two, compilers stop inlining it.
   template <class Visitor>
   BOOST_FORCEINLINE void for_each_in_black(Index v, Visitor&& visit) const
   {
     if (!m_records.in_black(v))
       return;
     const auto op = inner();
-    Index u = op.after_red(v);
-    visit(u);
-    while (m_records.more_black(u)) {
-      u = op.next_in_black(u);
+    for (Index u = op.after_red(v);; u = op.next_in_black(u)) {
       visit(u);
+      if (!m_records.more_black(u))
+        return;
     }
   }
 
@@ -325,11 +325,10 @@ private:
   {
     if (!m_records.in_blue(v))
       return;
-    Index u = inner().before_red(v);
-    visit(u);
-    while (m_records.more_blue(u)) {
-      u = m_records.next_in_blue(u);
+    for (Index u = inner().before_red(v);; u = m_records.next_in_blue(u)) {
       visit(u);
+      if (!m_records.more_blue(u))
+        return;
     }
   }
 
