@@ -23,6 +23,7 @@
 #include <CGAL/Compact_surface_mesh/internal/Fixed_connectivity.h>
 #include <CGAL/Compact_surface_mesh/internal/Input_report.h>
 #include <CGAL/Compact_surface_mesh/internal/Validity_check.h>
+#include <CGAL/Compact_surface_mesh/internal/numbered_vertices.h>
 #include <CGAL/Compact_surface_mesh/layouts/Schnyder_parents_layout.h>
 #include <CGAL/Compact_surface_mesh/parameters.h>
 

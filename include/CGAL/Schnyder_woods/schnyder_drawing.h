@@ -10,7 +10,7 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
-#include <CGAL/boost/graph/properties.h>
+#include <CGAL/Compact_surface_mesh/internal/numbered_vertices.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -105,10 +105,8 @@ void schnyder_drawing(const FaceGraph& g,
                       HalfedgeOutgoingMap outgoing,
                       VertexCoordinatesMap coordinates)
 {
-  const auto index = get(dynamic_vertex_property_t<std::size_t>(), g);
-  std::size_t n = 0;
-  for (const auto v : vertices(g))
-    put(index, v, n++);
+  const auto index = internal::numbered_vertices(g);
+  const std::size_t n = vertices(g).size();
 
   const std::array<typename boost::graph_traits<FaceGraph>::vertex_descriptor, 3> roots = {
     target(root, g), source(root, g), target(next(root, g), g)

@@ -15,7 +15,6 @@
 #include <CGAL/Compact_surface_mesh/parameters.h>
 
 #include <CGAL/Cartesian_converter.h>
-#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
@@ -57,17 +56,6 @@ template <class FaceGraph>
 bool has_removed_vertices(const FaceGraph& g)
 {
   return vertices(g).size() != static_cast<std::size_t>(num_vertices(g));
-}
-
-// Numbers the vertices of g in their order.
-template <class FaceGraph>
-auto numbered_vertices(const FaceGraph& g)
-{
-  auto numbers = get(dynamic_vertex_property_t<std::size_t>(), g);
-  std::size_t i = 0;
-  for (const auto v : vertices(g))
-    put(numbers, v, i++);
-  return numbers;
 }
 
 // Takes the pairs (element of the input, element of the mesh) of one kind to where the

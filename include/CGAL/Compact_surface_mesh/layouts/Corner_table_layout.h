@@ -29,8 +29,8 @@ namespace CGAL {
 
 The class `Corner_table_layout` stores the connectivity of a triangle mesh as it came: the
 two indices per corner of a `Corner_table`, a halfedge per vertex, and a bit per
-halfedge with its rank directory for the numbering of edges. That is 13.3 references per
-vertex, 53.3 bytes for a 32-bit `Index`.
+halfedge with its rank directory for the numbering of edges. That is 13.2 references per
+vertex, 52.9 bytes for a 32-bit `Index`.
 
 It keeps the order of the input's vertices and faces, and is there to compare with.
 

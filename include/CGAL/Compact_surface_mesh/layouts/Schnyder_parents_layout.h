@@ -151,15 +151,13 @@ public:
   /// returns the vertex where `h` starts.
   BOOST_FORCEINLINE Index source(Index h) const
   {
-    const auto s = side(h);
-    return any().source({ s.x, s.k });
+    return any().source(side(h));
   }
 
   /// returns the vertex where `h` ends.
   BOOST_FORCEINLINE Index target(Index h) const
   {
-    const auto s = side(h);
-    return any().target({ s.x, s.k });
+    return any().target(side(h));
   }
 
   /// returns the face to the left of `h`.

@@ -12,13 +12,11 @@
 
 #include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
-
-#include <CGAL/boost/graph/properties.h>
+#include <CGAL/Compact_surface_mesh/internal/numbered_vertices.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -37,11 +35,7 @@ struct Rooted_sphere
   // no triangulated sphere.
   Rooted_sphere(const FaceGraph& g, halfedge_descriptor root)
   {
-    const auto vertex_index = get(dynamic_vertex_property_t<std::size_t>(), g);
-    std::size_t n = 0;
-    for (const auto v : vertices(g))
-      put(vertex_index, v, n++);
-    table = Corner_table<Index>(g, vertex_index);
+    table = Corner_table<Index>(g, numbered_vertices(g));
     Closed_triangulation<Index>::check(table);
 
     halfedges.reserve(table.num_halfedges());
