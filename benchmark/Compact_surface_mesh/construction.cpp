@@ -66,12 +66,12 @@ void build_by_stages(const Triangle_soup& soup)
   stopwatch.print("corner table");
   CGAL::Closed_triangulation<Index> closed(std::move(table));
   stopwatch.print("closing");
-  std::vector<Index> image;
-  const Layout layout(std::move(closed), image);
+  CGAL::Input_images<Index> images;
+  const Layout layout(std::move(closed), images);
   stopwatch.print("layout, wood included");
   std::vector<Point> points(soup.points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    points[image[i]] = soup.points[i];
+    points[images.vertices[i]] = soup.points[i];
   stopwatch.print("points");
 }
 

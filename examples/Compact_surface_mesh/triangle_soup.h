@@ -48,8 +48,7 @@ struct Triangle_soup
 
 /// reads an OFF, PLY, OBJ or STL file.
 /// \throws std::runtime_error if the file cannot be read or has no faces
-/// \throws CGAL::Mesh_defect_exception if it holds anything but a closed connected triangle
-///   mesh of genus 0
+/// \throws CGAL::Mesh_defect_exception if it holds anything but an oriented triangle mesh
 inline Triangle_soup read_soup(const std::string& file)
 {
   Triangle_soup soup;
@@ -58,7 +57,7 @@ inline Triangle_soup read_soup(const std::string& file)
     throw std::runtime_error("cannot be read");
   if (polygons.empty())
     throw std::runtime_error("has no faces");
-  CGAL::Closed_triangulation<>::check(CGAL::Corner_table<>(soup.points.size(), polygons));
+  CGAL::Corner_table<>(soup.points.size(), polygons); // throws
   soup.triangles.resize(polygons.size());
   for (std::size_t f = 0; f < polygons.size(); ++f)
     std::copy(polygons[f].begin(), polygons[f].end(), soup.triangles[f].begin());

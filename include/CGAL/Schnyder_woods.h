@@ -13,7 +13,11 @@
 /// \file Schnyder_woods.h
 /// includes all functions on Schnyder woods.
 
+#include <CGAL/Schnyder_woods/Extremal_wood.h>
+#include <CGAL/Schnyder_woods/Schnyder_wood_rules.h>
 #include <CGAL/Schnyder_woods/Shelling_order.h>
+#include <CGAL/Schnyder_woods/extremal_schnyder_wood.h>
+#include <CGAL/Schnyder_woods/g_schnyder_wood.h>
 #include <CGAL/Schnyder_woods/is_schnyder_wood.h>
 #include <CGAL/Schnyder_woods/random_planar_triangulation.h>
 #include <CGAL/Schnyder_woods/schnyder_drawing.h>

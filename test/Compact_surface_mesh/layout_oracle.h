@@ -10,6 +10,7 @@
 
 #include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
+#include <CGAL/Compact_surface_mesh/Input_images.h>
 
 #include <algorithm>
 #include <array>
@@ -184,9 +185,12 @@ std::string difference_from_table(std::size_t num_vertices, const Triangles& tri
   typedef typename Layout::Index Index;
   const CGAL::Corner_table<Index> table(num_vertices, triangles);
   CGAL::Closed_triangulation<Index> closed{ CGAL::Corner_table<Index>(table) };
-  std::vector<Index> vertex_of_input;
-  const Layout layout(std::move(closed), vertex_of_input, arguments...);
-  return Layout_oracle<Layout, Index>(layout, table, vertex_of_input).difference();
+  CGAL::Input_images<Index> images;
+  images.wants_halfedges = true;
+  const Layout layout(std::move(closed), images, arguments...);
+  Layout_oracle<Layout, Index> oracle(layout, table, images.vertices);
+  const std::string difference = oracle.difference();
+  return difference.empty() && oracle.halfedges() != images.halfedges ? "images of halfedges" : difference;
 }
 
 } // namespace test

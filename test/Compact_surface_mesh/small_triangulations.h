@@ -162,13 +162,11 @@ inline bool flip(const Oriented_map& map, std::uint32_t h, Triangles& triangles)
   return true;
 }
 
-/// All simple triangulations of the sphere with n >= 4 vertices, one of each class
-/// of oriented maps, by their canonical codes in ascending order.
-inline std::vector<Triangles> all_sphere_triangulations(int n)
+/// All simple triangulations that flips lead to from a closed connected one, one of each
+/// class of oriented maps, by their canonical codes in ascending order.
+inline std::vector<Triangles> reachable_by_flips(const Triangles& start)
 {
-  if (n < 4)
-    throw std::invalid_argument("a simple triangulation of the sphere has 4 vertices or more");
-  std::set<Triangles> found{canonical_code(double_fan(static_cast<std::uint32_t>(n)))};
+  std::set<Triangles> found{canonical_code(start)};
   std::vector<Triangles> to_flip(found.begin(), found.end());
   while (!to_flip.empty()) {
     const Oriented_map map(std::move(to_flip.back()));
@@ -183,6 +181,15 @@ inline std::vector<Triangles> all_sphere_triangulations(int n)
     }
   }
   return std::vector<Triangles>(found.begin(), found.end());
+}
+
+/// All simple triangulations of the sphere with n >= 4 vertices, one of each class
+/// of oriented maps, by their canonical codes in ascending order.
+inline std::vector<Triangles> all_sphere_triangulations(int n)
+{
+  if (n < 4)
+    throw std::invalid_argument("a simple triangulation of the sphere has 4 vertices or more");
+  return reachable_by_flips(double_fan(static_cast<std::uint32_t>(n)));
 }
 
 /// The number of different rooted triangulations of these classes.

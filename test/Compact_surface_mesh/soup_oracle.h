@@ -67,16 +67,14 @@ class Soup_oracle
 public:
   explicit Soup_oracle(const Polygon_soup& soup) : m_soup(soup) {}
 
-  /// All that keeps the soup from being an oriented manifold. Edges are looked at when all
-  /// faces are triangles, and vertices when all edges are those of a manifold.
-  std::set<Defect> defects() const
+  /// All that keeps the soup from being an oriented manifold of triangles. Edges are looked at
+  /// when all faces are triangles, and vertices when all edges are those of a manifold.
+  std::set<Defect> defects() const { return defects(3, CGAL::Mesh_defect::not_a_triangle); }
+
+  /// All that keeps the soup from being an oriented manifold of polygons, in the same order.
+  std::set<Defect> polygon_defects() const
   {
-    std::set<Defect> found = face_defects();
-    if (found.empty())
-      found = edge_defects();
-    if (found.empty())
-      found = vertex_defects();
-    return found;
+    return defects(static_cast<std::size_t>(-1), CGAL::Mesh_defect::degenerate_face);
   }
 
   /// All that keeps an oriented manifold from being a sphere. The genus is that of a
@@ -93,7 +91,7 @@ public:
         num_edges += vertex(f, i) < vertex(f, i + 1) ? 1 : 0;
       }
     for (std::size_t v = 0; v < m_soup.num_vertices; ++v)
-      if (corners_at(static_cast<long long>(v)).empty())
+      if (faces_at(static_cast<long long>(v)).empty())
         found.insert(Defect(Mesh_defect::isolated_vertex, v));
     const std::vector<bool> reached = faces_connected_to_first();
     for (std::size_t f = 0; f < num_faces(); ++f)
@@ -153,17 +151,30 @@ public:
 
 private:
   std::size_t num_faces() const { return m_soup.faces.size(); }
-  long long vertex(std::size_t f, std::size_t i) const { return m_soup.faces[f][i % 3]; }
+  std::size_t size(std::size_t f) const { return m_soup.faces[f].size(); }
+  long long vertex(std::size_t f, std::size_t i) const { return m_soup.faces[f][i % size(f)]; }
+  // of a triangle
   long long third(std::size_t f, long long v, long long w) const
   {
     return vertex(f, 0) + vertex(f, 1) + vertex(f, 2) - v - w;
   }
 
-  // The number of the corner of face f at v, in all of the soup; v must be one of f's.
-  std::size_t corner_of(std::size_t f, long long v) const
+  // The place of v in face f; v must be one of f's.
+  std::size_t place_of(std::size_t f, long long v) const
   {
     const Face& face = m_soup.faces[f];
-    return 3 * f + static_cast<std::size_t>(std::find(face.begin(), face.end(), v) - face.begin());
+    return static_cast<std::size_t>(std::find(face.begin(), face.end(), v) - face.begin());
+  }
+
+  // The number of the corner of triangle f at v, in all of the soup.
+  std::size_t corner_of(std::size_t f, long long v) const { return 3 * f + place_of(f, v); }
+
+  // The vertices of face f from v on.
+  Face turned(std::size_t f, long long v) const
+  {
+    Face face = m_soup.faces[f];
+    std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(place_of(f, v)), face.end());
+    return face;
   }
 
   // The faces with an edge from v to w in this direction.
@@ -171,29 +182,39 @@ private:
   {
     std::vector<std::size_t> faces;
     for (std::size_t f = 0; f < num_faces(); ++f)
-      for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t i = 0; i < size(f); ++i)
         if (vertex(f, i) == v && vertex(f, i + 1) == w)
           faces.push_back(f);
     return faces;
   }
 
-  std::vector<std::size_t> corners_at(long long v) const
+  std::vector<std::size_t> faces_at(long long v) const
   {
-    std::vector<std::size_t> corners;
-    for (std::size_t c = 0; c < 3 * num_faces(); ++c)
-      if (vertex(c / 3, c % 3) == v)
-        corners.push_back(c);
-    return corners;
+    std::vector<std::size_t> faces;
+    for (std::size_t f = 0; f < num_faces(); ++f)
+      if (place_of(f, v) != size(f))
+        faces.push_back(f);
+    return faces;
   }
 
-  std::set<Defect> face_defects() const
+  std::set<Defect> defects(std::size_t max_size, CGAL::Mesh_defect other_size) const
+  {
+    std::set<Defect> found = face_defects(max_size, other_size);
+    if (found.empty())
+      found = edge_defects();
+    if (found.empty())
+      found = vertex_defects();
+    return found;
+  }
+
+  std::set<Defect> face_defects(std::size_t max_size, CGAL::Mesh_defect other_size) const
   {
     using CGAL::Mesh_defect;
     std::set<Defect> found;
     for (std::size_t f = 0; f < num_faces(); ++f) {
       const Face& face = m_soup.faces[f];
-      if (face.size() != 3)
-        found.insert(Defect(Mesh_defect::not_a_triangle, f));
+      if (face.size() < 3 || face.size() > max_size)
+        found.insert(Defect(other_size, f));
       if (std::set<long long>(face.begin(), face.end()).size() != face.size())
         found.insert(Defect(Mesh_defect::repeated_vertex, f));
       for (const long long v : face)
@@ -208,13 +229,13 @@ private:
     using CGAL::Mesh_defect;
     std::set<Defect> found;
     for (std::size_t f = 0; f < num_faces(); ++f)
-      for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t i = 0; i < size(f); ++i) {
         const long long v = vertex(f, i), w = vertex(f, i + 1);
         const std::vector<std::size_t> along = faces_along(v, w), against = faces_along(w, v);
         if (along.size() + against.size() > 2)
           found.insert(Defect(Mesh_defect::nonmanifold_edge, f));
         for (const std::size_t g : along)
-          if (g != f && third(g, v, w) == third(f, v, w))
+          if (g != f && turned(g, v) == turned(f, v))
             found.insert(Defect(Mesh_defect::duplicate_face, f));
           else if (g != f && along.size() == 2 && against.empty())
             found.insert(Defect(Mesh_defect::inconsistent_orientation, f));
@@ -229,11 +250,11 @@ private:
       const long long v = static_cast<long long>(i);
       std::size_t num_fans = 0, num_open_fans = 0;
       std::set<std::size_t> seen;
-      for (const std::size_t c : corners_at(v)) {
-        if (seen.count(c / 3) != 0)
+      for (const std::size_t f : faces_at(v)) {
+        if (seen.count(f) != 0)
           continue;
         ++num_fans;
-        num_open_fans += is_open_fan(v, c / 3, seen) ? 1 : 0;
+        num_open_fans += is_open_fan(v, f, seen) ? 1 : 0;
       }
       if (num_fans > 1 && num_open_fans < num_fans)
         found.insert(Defect(CGAL::Mesh_defect::nonmanifold_vertex, i));
@@ -249,8 +270,8 @@ private:
     std::vector<std::size_t> fan(1, f);
     seen.insert(f);
     for (std::size_t i = 0; i < fan.size(); ++i) {
-      const std::size_t c = corner_of(fan[i], v);
-      const long long following = vertex(c / 3, c % 3 + 1), preceding = vertex(c / 3, c % 3 + 2);
+      const Face face = turned(fan[i], v);
+      const long long following = face[1], preceding = face.back();
       for (const auto& neighbors : {faces_along(following, v), faces_along(v, preceding)}) {
         is_open = is_open || neighbors.empty();
         for (const std::size_t g : neighbors)
@@ -275,9 +296,9 @@ private:
     while (!stack.empty()) {
       const std::size_t f = stack.back();
       stack.pop_back();
-      for (std::size_t i = 0; i < 3; ++i)
-        for (const std::size_t c : corners_at(vertex(f, i)))
-          reach(c / 3);
+      for (const long long v : m_soup.faces[f])
+        for (const std::size_t g : faces_at(v))
+          reach(g);
     }
     return reached;
   }

@@ -51,8 +51,8 @@ template <int References> using Parents_layout = CGAL::Schnyder_parents_layout<R
 template <class Layout>
 Layout layout_of(const Soup& soup)
 {
-  std::vector<std::uint32_t> vertex_of_input;
-  return Layout(CGAL::Closed_triangulation<>(CGAL::Corner_table<>(soup.num_vertices, soup.triangles)), vertex_of_input);
+  CGAL::Input_images<> images;
+  return Layout(CGAL::Closed_triangulation<>(CGAL::Corner_table<>(soup.num_vertices, soup.triangles)), images);
 }
 
 // In the most sparing way that Surface_mesh offers.
@@ -230,8 +230,8 @@ std::size_t longest_walk(const Soup& soup, const std::string& name)
   std::size_t longest = 0;
   for (const auto order : {CGAL::Shelling_order::LAST_IN_FIRST_OUT, CGAL::Shelling_order::FIRST_IN_FIRST_OUT,
                            CGAL::Shelling_order::RANDOM}) {
-    std::vector<std::uint32_t> vertex_of_input;
-    const Layout layout(CGAL::Closed_triangulation<>(CGAL::Corner_table<>(table)), vertex_of_input, order, 1);
+    CGAL::Input_images<> images;
+    const Layout layout(CGAL::Closed_triangulation<>(CGAL::Corner_table<>(table)), images, order, 1);
     const std::size_t steps = longest_walk(layout);
     EXPECT_LE(steps, Layout::max_walk_length())
       << name << ", " << soup.num_vertices << " vertices, order " << static_cast<int>(order);

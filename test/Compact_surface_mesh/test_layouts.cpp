@@ -8,8 +8,10 @@
 // All layouts against the corner table: every operator on every element.
 
 #include "generated_triangulations.h"
+#include "generated_surfaces.h"
 #include "layout_oracle.h"
 #include "small_triangulations.h"
+#include "surface_oracle.h"
 #include "test_scale.h"
 
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
@@ -129,6 +131,85 @@ TYPED_TEST(Layouts, agree_with_the_corner_table_on_regular_spheres)
   }
 }
 
+template <class Layout, class... Arguments>
+std::string difference_from_soup(const test::Polygon_soup& soup, const Arguments&... arguments)
+{
+  typedef typename Layout::Index Index;
+  CGAL::Input_images<Index> images;
+  images.wants_halfedges = true;
+  const Layout layout(CGAL::Closed_triangulation<Index>(CGAL::Simple_triangulation<Index>(soup.num_vertices, soup.faces)),
+                      images, arguments...);
+  return test::Surface_oracle<Layout>(layout, soup, images.vertices, images.halfedges).difference();
+}
+
+// The same as All_woods, for surfaces of all kinds.
+template <class Layout>
+struct All_woods_of_surfaces
+{
+  static std::string difference(const test::Polygon_soup& soup) { return difference_from_soup<Layout>(soup); }
+};
+
+template <int References, class Index>
+struct All_woods_of_surfaces<CGAL::Schnyder_parents_layout<References, Index>>
+{
+  static std::string difference(const test::Polygon_soup& soup)
+  {
+    for (const CGAL::Shelling_order order : all_orders) {
+      const std::string difference =
+        difference_from_soup<CGAL::Schnyder_parents_layout<References, Index>>(soup, order, 7u);
+      if (!difference.empty())
+        return difference + " (order " + std::to_string(static_cast<int>(order)) + ")";
+    }
+    return "";
+  }
+};
+
+TYPED_TEST(Layouts, are_right_on_all_rooted_tori_with_up_to_9_vertices)
+{
+  for (int n = 7; n <= (std::min)(9, test::largest_exhaustive()); ++n)
+    for (const auto& map : test::all_torus_triangulations(n))
+      for (const auto& rooted : test::Oriented_map(map).all_codes()) {
+        const std::string difference = All_woods<TypeParam>::difference(n, rooted);
+        ASSERT_EQ(difference, "") << "triangles " << testing::PrintToString(rooted);
+      }
+}
+
+TYPED_TEST(Layouts, are_right_on_random_closed_surfaces)
+{
+  for (unsigned int seed = 0; seed < test::scaled(300); ++seed) {
+    const std::uint32_t genus = seed % 5 == 0 ? 30 : 1 + seed % 4;
+    const test::Soup soup = test::closed_surface(genus, 8 * genus + 12 + seed % 20, seed);
+    ASSERT_EQ(All_woods<TypeParam>::difference(soup.num_vertices, soup.triangles), "") << "seed " << seed;
+  }
+  const test::Soup large = test::closed_surface(200, 3000, 1);
+  ASSERT_EQ(All_woods<TypeParam>::difference(large.num_vertices, large.triangles), "");
+}
+
+TYPED_TEST(Layouts, are_right_on_random_surfaces_of_all_kinds)
+{
+  test::Surface_options triangles;
+  triangles.has_polygons = false;
+  for (unsigned int seed = 0; seed < test::scaled(1000); ++seed) {
+    const test::Polygon_soup of_polygons = test::random_surface(seed), of_triangles = test::random_surface(seed, triangles);
+    ASSERT_EQ(All_woods_of_surfaces<TypeParam>::difference(of_polygons), "") << "seed " << seed;
+    ASSERT_EQ(All_woods_of_surfaces<TypeParam>::difference(of_triangles), "") << "seed " << seed << ", triangles";
+  }
+}
+
+TYPED_TEST(Layouts, are_right_on_large_surfaces_of_all_kinds)
+{
+  test::Surface_options options;
+  options.max_vertices = static_cast<std::uint32_t>(test::scaled(20000)) + 50;
+  options.max_genus = 200;
+  for (unsigned int seed = 0; seed < 4; ++seed)
+    ASSERT_EQ(All_woods_of_surfaces<TypeParam>::difference(test::random_surface(seed, options)), "") << "seed " << seed;
+  const std::size_t n = test::scaled(1000) + 20;
+  ASSERT_EQ(All_woods_of_surfaces<TypeParam>::difference(test::quad_grid(n, 10)), "");
+  for (const std::size_t k : {3, 4, 8, 9, 100})
+    for (const test::Polygon_soup& soup : {test::polygon(k), test::pillow(k)})
+      ASSERT_EQ(All_woods_of_surfaces<TypeParam>::difference(soup), "") << k << " sides";
+}
+
 TYPED_TEST(Layouts, take_the_triangle_with_two_sides)
 {
   const std::vector<std::array<int, 3>> triangles = { { 0, 1, 2 }, { 2, 1, 0 } };
@@ -143,10 +224,10 @@ TYPED_TEST(Layouts, are_empty_without_a_mesh)
   EXPECT_EQ(layout.num_edges(), 0u);
   EXPECT_EQ(layout.num_faces(), 0u);
 
-  std::vector<typename TypeParam::Index> vertex_of_input;
-  layout = TypeParam(CGAL::Closed_triangulation<typename TypeParam::Index>(), vertex_of_input);
+  CGAL::Input_images<typename TypeParam::Index> images;
+  layout = TypeParam(CGAL::Closed_triangulation<typename TypeParam::Index>(), images);
   EXPECT_EQ(layout.num_halfedges(), 0u);
-  EXPECT_TRUE(vertex_of_input.empty());
+  EXPECT_TRUE(images.vertices.empty());
 }
 
 TYPED_TEST(Layouts, can_be_copied_and_are_empty_after_a_move)
@@ -154,35 +235,24 @@ TYPED_TEST(Layouts, can_be_copied_and_are_empty_after_a_move)
   typedef typename TypeParam::Index Index;
   const test::Soup sphere = test::octasphere(2);
   const CGAL::Corner_table<Index> table(sphere.num_vertices, sphere.triangles);
-  std::vector<Index> vertices;
-  TypeParam layout(CGAL::Closed_triangulation<Index>(CGAL::Corner_table<Index>(table)), vertices);
+  CGAL::Input_images<Index> images;
+  TypeParam layout(CGAL::Closed_triangulation<Index>(CGAL::Corner_table<Index>(table)), images);
   const TypeParam copy = layout;
-  EXPECT_EQ((test::Layout_oracle<TypeParam, Index>(copy, table, vertices).difference()), "");
+  EXPECT_EQ((test::Layout_oracle<TypeParam, Index>(copy, table, images.vertices).difference()), "");
   const TypeParam moved = std::move(layout);
-  EXPECT_EQ((test::Layout_oracle<TypeParam, Index>(moved, table, vertices).difference()), "");
+  EXPECT_EQ((test::Layout_oracle<TypeParam, Index>(moved, table, images.vertices).difference()), "");
   EXPECT_EQ(layout.num_vertices(), 0u);
   EXPECT_EQ(layout.num_halfedges(), 0u);
   EXPECT_EQ(layout.num_faces(), 0u);
-}
-
-TYPED_TEST(Layouts, append_their_vertices_to_what_they_are_given)
-{
-  typedef typename TypeParam::Index Index;
-  const test::Soup sphere = test::octasphere(1);
-  std::vector<Index> vertices = { 42 };
-  const TypeParam layout(
-      CGAL::Closed_triangulation<Index>(CGAL::Corner_table<Index>(sphere.num_vertices, sphere.triangles)), vertices);
-  EXPECT_EQ(vertices.size(), sphere.num_vertices + 1);
-  EXPECT_EQ(vertices.front(), 42u);
 }
 
 TYPED_TEST(Layouts, find_no_halfedge_between_vertices_that_are_not_adjacent)
 {
   typedef typename TypeParam::Index Index;
   const test::Soup sphere = test::shuffled(test::octasphere(2), 3);
-  std::vector<Index> vertices;
+  CGAL::Input_images<Index> images;
   const TypeParam layout(
-      CGAL::Closed_triangulation<Index>(CGAL::Corner_table<Index>(sphere.num_vertices, sphere.triangles)), vertices);
+      CGAL::Closed_triangulation<Index>(CGAL::Corner_table<Index>(sphere.num_vertices, sphere.triangles)), images);
   std::size_t num_adjacent = 0;
   for (Index u = 0; u < layout.num_vertices(); ++u)
     for (Index v = 0; v < layout.num_vertices(); ++v) {
@@ -201,22 +271,22 @@ TEST(Layout_oracle, sees_a_wrong_vertex_map)
   typedef CGAL::Schnyder_parents_layout<> Layout;
   const test::Soup sphere = test::octasphere(2);
   const CGAL::Corner_table<> table(sphere.num_vertices, sphere.triangles);
-  std::vector<std::uint32_t> vertices;
-  const Layout layout(CGAL::Closed_triangulation<>(CGAL::Corner_table<>(table)), vertices);
-  std::swap(vertices[0], vertices[40]);
-  EXPECT_NE((test::Layout_oracle<Layout, std::uint32_t>(layout, table, vertices).difference()), "");
+  CGAL::Input_images<> images;
+  const Layout layout(CGAL::Closed_triangulation<>(CGAL::Corner_table<>(table)), images);
+  std::swap(images.vertices[0], images.vertices[40]);
+  EXPECT_NE((test::Layout_oracle<Layout, std::uint32_t>(layout, table, images.vertices).difference()), "");
 }
 
 TEST(Schnyder_parents_layout, keeps_red_siblings_consecutive_and_the_root_face_last)
 {
   const test::Soup sphere = test::octasphere(3);
-  std::vector<std::uint32_t> vertices;
+  CGAL::Input_images<> images;
   const CGAL::Schnyder_parents_layout<> layout(
-      CGAL::Closed_triangulation<>(CGAL::Corner_table<>(sphere.num_vertices, sphere.triangles)), vertices);
+      CGAL::Closed_triangulation<>(CGAL::Corner_table<>(sphere.num_vertices, sphere.triangles)), images);
   const std::uint32_t n = sphere.num_vertices;
   // the first face of the input is where the wood is rooted
   for (const std::uint32_t v : sphere.triangles[0])
-    EXPECT_GE(vertices[v], n - 3);
+    EXPECT_GE(images.vertices[v], n - 3);
   // halfedge 6u leads from u to its red parent: parents change from family to family only
   std::set<std::uint32_t> parents;
   for (std::uint32_t u = 0; u + 3 < n; ++u)

@@ -9,6 +9,8 @@
 // of it, and what they do with input that they do not take.
 
 #include "bumpy_sphere.h"
+#include "glued_polygons.h"
+#include "test_scale.h"
 
 #include <CGAL/Compact_surface_mesh.h>
 
@@ -27,6 +29,8 @@
 #include <array>
 #include <list>
 #include <map>
+#include <random>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -303,35 +307,46 @@ TYPED_TEST(Mesh_construction, of_nothing_is_empty)
   expect_usable_and_empty(of_graph);
 }
 
-// What the construction of a soup throws; nothing may be reported then.
+// What the construction of a soup throws, and of which element it says so; nothing may be reported then.
 template <class Mesh>
-CGAL::Mesh_defect defect_of(const std::vector<Point>& points, const std::vector<std::vector<int> >& triangles)
+std::pair<CGAL::Mesh_defect, std::size_t> defect_of(std::size_t num_points, const std::vector<std::vector<int> >& faces)
 {
   std::map<std::size_t, typename Mesh::Vertex_index> v2v;
   try {
-    const Mesh mesh(points, triangles, parameters::vertex_to_vertex_map(boost::make_assoc_property_map(v2v)));
+    const Mesh mesh(std::vector<Point>(num_points), faces,
+                    parameters::vertex_to_vertex_map(boost::make_assoc_property_map(v2v)));
     ADD_FAILURE() << "nothing was thrown";
   } catch (const CGAL::Mesh_defect_exception& e) {
     EXPECT_TRUE(v2v.empty());
-    return e.defect();
+    return { e.defect(), e.element() };
   }
-  return CGAL::Mesh_defect::too_many_elements;
+  return { CGAL::Mesh_defect::too_many_elements, 0 };
 }
 
-TYPED_TEST(Mesh_construction, refuses_what_is_no_sphere)
+TYPED_TEST(Mesh_construction, refuses_what_is_no_oriented_manifold)
 {
   using Mesh = typename TestFixture::Mesh;
-  using CGAL::Mesh_defect;
-  using Triangles = std::vector<std::vector<int> >;
-  EXPECT_EQ(defect_of<Mesh>(corners, { { 0, 1, 2 } }), Mesh_defect::border);
-  EXPECT_EQ(defect_of<Mesh>(corners, { { 0, 1, 2, 3 } }), Mesh_defect::not_a_triangle);
-  EXPECT_EQ(defect_of<Mesh>(corners, { { 0, 1, 4 } }), Mesh_defect::index_out_of_range);
-  EXPECT_EQ(defect_of<Mesh>(corners, { { 0, 1, -1 } }), Mesh_defect::index_out_of_range);
-  EXPECT_EQ(defect_of<Mesh>(corners, { { 0, 1, 1 } }), Mesh_defect::repeated_vertex);
-  std::vector<Point> more = corners;
-  more.push_back(Point(5, 5, 5));
-  const Triangles closed = { { 0, 1, 2 }, { 0, 3, 1 }, { 1, 3, 2 }, { 2, 3, 0 } };
-  EXPECT_EQ(defect_of<Mesh>(more, closed), Mesh_defect::isolated_vertex);
+  using D = CGAL::Mesh_defect;
+  using Found = std::pair<D, std::size_t>;
+  EXPECT_EQ(defect_of<Mesh>(4, { { 0, 1, 2 }, { 0, 1, 4 } }), Found(D::index_out_of_range, 1));
+  EXPECT_EQ(defect_of<Mesh>(4, { { 0, 1, -1 } }), Found(D::index_out_of_range, 0));
+  EXPECT_EQ(defect_of<Mesh>(4, { { 0, 1, 2 }, { 0, 1 } }), Found(D::degenerate_face, 1));
+  EXPECT_EQ(defect_of<Mesh>(4, { { 0, 1, 1 } }), Found(D::repeated_vertex, 0));
+  EXPECT_EQ(defect_of<Mesh>(5, { { 0, 1, 2 }, { 0, 2, 3, 4, 2 } }), Found(D::repeated_vertex, 1));
+  EXPECT_EQ(defect_of<Mesh>(5, { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } }).first, D::nonmanifold_edge);
+  EXPECT_EQ(defect_of<Mesh>(4, { { 0, 1, 2, 3 }, { 1, 2, 3, 0 } }).first, D::duplicate_face);
+  EXPECT_EQ(defect_of<Mesh>(5, { { 0, 1, 2 }, { 0, 1, 3, 4 } }).first, D::inconsistent_orientation);
+  // a Moebius strip
+  EXPECT_EQ(defect_of<Mesh>(5, { { 0, 1, 2 }, { 2, 1, 3 }, { 2, 3, 4 }, { 4, 3, 0 }, { 4, 0, 1 } }).first,
+            D::inconsistent_orientation);
+  // a tetrahedron and a triangle that share vertex 3, and two tetrahedra
+  const std::vector<std::vector<int> > tetrahedron = { { 0, 1, 2 }, { 0, 3, 1 }, { 1, 3, 2 }, { 2, 3, 0 } };
+  auto faces = tetrahedron;
+  faces.push_back({ 3, 4, 5 });
+  EXPECT_EQ(defect_of<Mesh>(6, faces), Found(D::nonmanifold_vertex, 3));
+  faces.pop_back();
+  faces.insert(faces.end(), { { 3, 4, 5 }, { 3, 6, 4 }, { 4, 6, 5 }, { 5, 6, 3 } });
+  EXPECT_EQ(defect_of<Mesh>(7, faces), Found(D::nonmanifold_vertex, 3));
 }
 
 TYPED_TEST(Mesh_construction, that_fails_leaves_the_target_as_it_was)
@@ -340,12 +355,125 @@ TYPED_TEST(Mesh_construction, that_fails_leaves_the_target_as_it_was)
   using V = typename TestFixture::V;
   Mesh mesh(this->source);
   const Point first = mesh.point(V(0));
-  Surface_mesh with_border = this->source;
-  CGAL::Euler::remove_face(with_border.halfedge(Surface_mesh::Face_index(0)), with_border);
-  EXPECT_THROW(mesh = Mesh(with_border), CGAL::Mesh_defect_exception);
+  const std::vector<std::vector<int> > doubled = { { 0, 1, 2 }, { 0, 1, 2 } };
+  EXPECT_THROW(mesh = Mesh(corners, doubled), CGAL::Mesh_defect_exception);
   EXPECT_EQ(mesh.number_of_faces(), this->source.number_of_faces());
   EXPECT_EQ(mesh.point(V(0)), first);
   EXPECT_TRUE(mesh.is_valid());
+}
+
+// Open, with two fans at a vertex, polygons of all sizes, and a vertex without faces.
+TYPED_TEST(Mesh_construction, takes_borders_polygons_and_isolated_vertices)
+{
+  using Mesh = typename TestFixture::Mesh;
+  using V = typename TestFixture::V;
+  std::vector<std::vector<int> > faces = { { 0, 1, 2 }, { 0, 2, 3, 4 }, { 0, 5, 6, 7, 8 }, {} };
+  for (int i = 0; i < 20; ++i)
+    faces.back().push_back(6 + (20 - i) % 20 + (i == 0 ? 0 : 3)); // 6, 28, 27, ..., 10
+  std::vector<Point> points;
+  for (int i = 0; i < 30; ++i)
+    points.push_back(Point(i, 0, 0));
+  std::map<std::size_t, V> v2v;
+  std::map<std::size_t, typename Mesh::Face_index> f2f;
+  const Mesh mesh(points, faces, CGAL::parameters::input_index_maps(true)
+                                     .vertex_to_vertex_map(boost::make_assoc_property_map(v2v))
+                                     .face_to_face_map(boost::make_assoc_property_map(f2f)));
+  EXPECT_EQ(mesh.number_of_vertices(), 30u);
+  EXPECT_EQ(mesh.number_of_faces(), 4u);
+  EXPECT_EQ(mesh.number_of_edges(), 31u);
+  EXPECT_TRUE(mesh.is_valid());
+  EXPECT_TRUE(mesh.is_isolated(v2v[29]) && mesh.is_isolated(v2v[9]));
+  EXPECT_TRUE(mesh.is_border(v2v[29]));
+  EXPECT_EQ(mesh.degree(v2v[29]), 0u);
+  EXPECT_EQ(mesh.degree(v2v[0]), 5u);
+  EXPECT_TRUE(mesh.is_border(mesh.halfedge(v2v[0])));
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    EXPECT_EQ(mesh.degree(f2f[f]), faces[f].size());
+    std::set<V> expected, found;
+    for (const int i : faces[f])
+      expected.insert(v2v[i]);
+    for (const V v : CGAL::vertices_around_face(mesh.halfedge(f2f[f]), mesh))
+      found.insert(v);
+    EXPECT_EQ(expected, found) << f;
+  }
+  for (int i = 0; i < 30; ++i)
+    EXPECT_EQ(mesh.point(v2v[i]), points[i]);
+  std::size_t num_border_halfedges = 0;
+  for (const auto h : mesh.halfedges())
+    num_border_halfedges += mesh.is_border(h) ? 1 : 0;
+  EXPECT_EQ(num_border_halfedges, 2 * mesh.number_of_edges() - (3 + 4 + 5 + 20));
+}
+
+// The maps of the constructor from a graph, on borders too.
+TYPED_TEST(Mesh_construction, tells_what_became_of_border_halfedges)
+{
+  using Mesh = typename TestFixture::Mesh;
+  Surface_mesh with_border = this->source;
+  CGAL::Euler::remove_face(with_border.halfedge(Surface_mesh::Face_index(0)), with_border);
+  with_border.collect_garbage();
+  std::map<Surface_mesh::Vertex_index, typename Mesh::Vertex_index> v2v;
+  std::map<Surface_mesh::Halfedge_index, typename Mesh::Halfedge_index> h2h;
+  std::map<Surface_mesh::Face_index, typename Mesh::Face_index> f2f;
+  const Mesh mesh(with_border, parameters::vertex_to_vertex_map(boost::make_assoc_property_map(v2v))
+                                   .halfedge_to_halfedge_map(boost::make_assoc_property_map(h2h))
+                                   .face_to_face_map(boost::make_assoc_property_map(f2f)));
+  EXPECT_EQ(h2h.size(), with_border.number_of_halfedges());
+  for (const auto h : with_border.halfedges()) {
+    EXPECT_EQ(v2v[with_border.target(h)], mesh.target(h2h[h]));
+    EXPECT_EQ(h2h[with_border.next(h)], mesh.next(h2h[h]));
+    EXPECT_EQ(h2h[with_border.opposite(h)], mesh.opposite(h2h[h]));
+    EXPECT_EQ(with_border.is_border(h), mesh.is_border(h2h[h]));
+    if (!with_border.is_border(h)) {
+      EXPECT_EQ(f2f[with_border.face(h)], mesh.face(h2h[h]));
+    }
+  }
+}
+
+// Two edges of a graph may have the same ends, unlike those of a soup.
+TYPED_TEST(Mesh_construction, takes_graphs_with_double_edges)
+{
+  using Mesh = typename TestFixture::Mesh;
+  using H = typename TestFixture::H;
+  std::size_t num_doubled = 0;
+  for (unsigned int seed = 0; seed < (std::max<std::size_t>)(300, test::scaled(3000)); ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 rng(seed);
+    const Surface_mesh graph = test::graph_of<Surface_mesh>(test::random_glued_polygons(rng));
+    std::map<Surface_mesh::Vertex_index, typename TestFixture::V> v2v;
+    std::map<Surface_mesh::Halfedge_index, H> h2h;
+    std::map<Surface_mesh::Face_index, typename TestFixture::F> f2f;
+    const Mesh mesh(graph, parameters::vertex_to_vertex_map(boost::make_assoc_property_map(v2v))
+                               .halfedge_to_halfedge_map(boost::make_assoc_property_map(h2h))
+                               .face_to_face_map(boost::make_assoc_property_map(f2f)));
+    ASSERT_EQ(mesh.number_of_vertices(), graph.number_of_vertices());
+    ASSERT_EQ(mesh.number_of_halfedges(), graph.number_of_halfedges());
+    ASSERT_EQ(mesh.number_of_faces(), graph.number_of_faces());
+    ASSERT_TRUE(mesh.is_valid());
+    std::set<H> images;
+    std::set<std::pair<typename TestFixture::V, typename TestFixture::V>> ends;
+    for (const auto h : graph.halfedges()) {
+      ASSERT_TRUE(images.insert(h2h[h]).second);
+      num_doubled += ends.insert({ mesh.source(h2h[h]), mesh.target(h2h[h]) }).second ? 0 : 1;
+      ASSERT_EQ(mesh.target(h2h[h]), v2v[graph.target(h)]);
+      ASSERT_EQ(mesh.opposite(h2h[h]), h2h[graph.opposite(h)]);
+      ASSERT_EQ(mesh.is_border(h2h[h]), graph.is_border(h));
+      if (graph.is_border(h)) {
+        ASSERT_TRUE(mesh.is_border(mesh.next(h2h[h]))); // fans may follow in another order
+        continue;
+      }
+      ASSERT_EQ(mesh.next(h2h[h]), h2h[graph.next(h)]);
+      ASSERT_EQ(mesh.prev(h2h[h]), h2h[graph.prev(h)]);
+      ASSERT_EQ(mesh.face(h2h[h]), f2f[graph.face(h)]);
+      ASSERT_EQ(mesh.target(mesh.halfedge(mesh.source(h2h[h]), mesh.target(h2h[h]))), mesh.target(h2h[h]));
+    }
+    for (const auto v : mesh.vertices()) { // one cycle through all of its halfedges
+      std::size_t degree = 0;
+      for (const auto h : mesh.halfedges())
+        degree += mesh.target(h) == v ? 1 : 0;
+      ASSERT_EQ(mesh.degree(v), degree);
+    }
+  }
+  EXPECT_GT(num_doubled, 300u);
 }
 
 TYPED_TEST(Mesh_construction, reports_its_memory)

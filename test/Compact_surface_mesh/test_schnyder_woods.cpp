@@ -10,12 +10,10 @@
 #include "generated_triangulations.h"
 #include "small_triangulations.h"
 #include "test_scale.h"
+#include "wooded_mesh.h"
 
 #include <CGAL/Schnyder_woods.h>
 #include <CGAL/Compact_surface_mesh/Mesh_defect_exception.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -29,30 +27,15 @@
 
 namespace {
 
-typedef CGAL::Simple_cartesian<double>::Point_3 Point;
-typedef CGAL::Surface_mesh<Point> Mesh;
-typedef Mesh::Vertex_index Vertex;
-typedef Mesh::Halfedge_index Halfedge;
+using test::Halfedge;
+using test::Mesh;
+using test::Point;
+using test::Vertex;
+using test::all_orders;
+using test::mesh_of;
 typedef Mesh::Property_map<Halfedge, int> Color_map;
 typedef Mesh::Property_map<Halfedge, bool> Outgoing_map;
 typedef std::array<std::size_t, 3> Coordinates;
-
-const CGAL::Shelling_order all_orders[] = { CGAL::Shelling_order::LAST_IN_FIRST_OUT,
-                                            CGAL::Shelling_order::FIRST_IN_FIRST_OUT,
-                                            CGAL::Shelling_order::RANDOM };
-
-template <class Triangles>
-Mesh mesh_of(std::size_t n, const Triangles& triangles)
-{
-  Mesh mesh;
-  for (std::size_t i = 0; i < n; ++i)
-    mesh.add_vertex(Point(0, 0, 0));
-  for (const auto& t : triangles)
-    mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
-  return mesh;
-}
-
-Mesh mesh_of(const test::Soup& soup) { return mesh_of(soup.num_vertices, soup.triangles); }
 
 struct Wood
 {

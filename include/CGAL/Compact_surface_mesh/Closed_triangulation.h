@@ -11,13 +11,16 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
+#include <CGAL/Compact_surface_mesh/Simple_triangulation.h>
 #include <CGAL/Compact_surface_mesh/internal/Emptied_on_move.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -27,113 +30,243 @@ namespace CGAL {
 \ingroup PkgCompactSurfaceMeshRef
 
 The class `Closed_triangulation` is a mesh made ready for a layout: a simple closed
-triangulation, with a mask that says what of it is not the user's.
+triangulation, maybe of several components, with a mask that says what of it is not the
+user's.
 
-Layouts know one kind of root only, a hidden vertex called <em>apex</em>. A closed
-component gets one inside a face of the user's, its <em>cap</em>: the three triangles
-around the apex stand for that face. So the user's vertices come first, in the
-order of the input, and the apices after them.
+- A border is closed by a hidden vertex, an <em>apex</em>, that is joined to all of its
+  vertices. A component without border gets an apex inside one of its triangles, its
+  <em>cap</em>: the three triangles around the apex stand for that one. So layouts know one kind
+  of root only.
+- A vertex with several fans of faces, which are all open, is parted: each further fan
+  gets a <em>copy</em> of the vertex. So no border passes a vertex twice.
+- Diagonals of polygons and what else a `Simple_triangulation` hides remain as they are.
 
-Today, meshes are taken that are empty, or a connected closed surface of genus 0.
+The vertices are, in this order: those of the `Simple_triangulation`, the user's ones first;
+the copies; and the apices. The triangles of the `Simple_triangulation` come first, and
+those around apices after them.
 
 \tparam Index an unsigned integer type, as for `Corner_table`
 */
 template <class Index = std::uint32_t>
 class Closed_triangulation
 {
+  typedef Corner_table<Index> Table;
+
 public:
   /*!
-  A hidden apex and where the wood of its component starts. The halfedge `base` runs
-  from \f$V_1\f$ to \f$V_0\f$ and has the apex, \f$V_2\f$, to its left.
+  A hidden apex. The halfedge `base` has the apex to its left; in the main root of a component
+  it runs from \f$V_1\f$ to \f$V_0\f$, and the apex is \f$V_2\f$.
   */
   struct Root
   {
     /// the hidden vertex.
     Index apex;
-    /// the halfedge opposite to it in the face that keeps the index of the cap.
+    /// a halfedge opposite to it. In a cap, it lies in the face that keeps the index of the cap.
     Index base;
+    /// the number of faces around it.
+    Index degree;
+  };
+
+  /// A connected component.
+  struct Component
+  {
+    /// its roots are the `roots()` from this one on; the first of them is the main one.
+    Index first_root;
+    /// and before this one.
+    Index end_root;
+    /// the number of its faces, hidden ones included.
+    Index num_faces;
   };
 
   /// creates the empty triangulation.
   Closed_triangulation() = default;
 
   /*!
-  closes `table`, in nearly linear time.
-
-  \throws Mesh_defect_exception if the mesh has isolated vertices, borders, several
-  components or handles; `table` is then unchanged.
+  closes `t`, in nearly linear time.
+  \throws Mesh_defect_exception if `Index` cannot number the hidden elements
   */
-  explicit Closed_triangulation(Corner_table<Index>&& table)
+  explicit Closed_triangulation(Simple_triangulation<Index>&& t)
+    : m_simple(std::move(t)), m_num_open_faces(table().num_faces()), m_first_copy(table().num_vertices())
   {
-    check(table);
-    m_num_user_vertices = table.num_vertices();
-    if (table.num_faces() != 0) {
-      const Index apex = table.split_face(0);
-      m_roots.push_back(Root{ apex, 0 });
-    }
-    m_table = std::move(table);
+    part_vertices();
+    close_borders();
+    find_components();
   }
 
-  /*!
-  does nothing if `table` is empty or a connected closed surface of genus 0.
-  \throws Mesh_defect_exception otherwise
-  */
-  static void check(const Corner_table<Index>& table)
-  {
-    for (std::size_t h = 0; h < table.num_halfedges(); ++h)
-      if (table.opposite(static_cast<Index>(h)) == table.null())
-        throw Mesh_defect_exception(Mesh_defect::border, h / 3);
-    check_connected(table);
-    // V - E + F = 2 - 2g with E = 3F/2
-    const std::size_t excess = table.num_faces() + 4 - 2 * table.num_vertices();
-    if (table.num_faces() != 0 && excess != 0)
-      throw Mesh_defect_exception(Mesh_defect::positive_genus, excess / 4);
-  }
+  /// closes `table`, in nearly linear time.
+  explicit Closed_triangulation(Table&& table)
+    : Closed_triangulation(Simple_triangulation<Index>(std::move(table)))
+  {}
 
   /// returns the triangulation, hidden vertices and faces included.
-  const Corner_table<Index>& table() const { return m_table; }
+  const Table& table() const { return m_simple.table(); }
 
-  /// returns the roots, one per component.
+  /// returns the triangulation as it was, with what is hidden in it; its table is now closed.
+  const Simple_triangulation<Index>& simple() const { return m_simple; }
+
+  /// returns the roots, grouped by components.
   const std::vector<Root>& roots() const { return m_roots; }
 
-  /// returns the number of vertices that are the user's; these are the first ones.
-  std::size_t num_user_vertices() const { return m_num_user_vertices; }
+  /// returns the components, without isolated vertices; none if the caps are removed.
+  const std::vector<Component>& components() const { return m_components; }
 
-  /// returns the user's mesh without the mask, and leaves this object empty.
-  Corner_table<Index> release()
+  /// returns whether `root` is that of a cap.
+  bool is_cap(const Root& root) const { return Table::face(root.base) < m_num_open_faces; }
+
+  /// returns the number of triangles before the mesh was closed.
+  std::size_t num_open_faces() const { return m_num_open_faces; }
+
+  /// returns the first copy of a vertex; behind the last one follow the apices.
+  std::size_t first_copy() const { return m_first_copy; }
+
+  /// returns of which vertex `first_copy() + i` is a copy, for all copies.
+  const std::vector<Index>& copies() const { return m_copies; }
+
+  /// returns the first apex: the number of vertices that are not apices.
+  std::size_t first_apex() const { return m_first_copy + m_copies.size(); }
+
+  /// returns where the halfedge `h` of the triangulation that was closed is now.
+  Index current_halfedge(Index h) const
   {
-    for (std::size_t i = m_roots.size(); i-- > 0;)
-      m_table.unsplit_face(m_table.face(m_roots[i].base));
-    m_roots.clear();
-    m_num_user_vertices = 0;
-    return std::move(m_table);
+    const Index f = Table::face(h);
+    return is_split(f) ? table().halfedge_of_split_face(h) : h;
   }
+
+  /// returns whether the edge of `h`, which does not end at an apex, is hidden.
+  bool is_hidden(Index h) const
+  {
+    return m_simple.is_hidden(Table::face(h) < m_num_open_faces ? h : table().opposite(h));
+  }
+
+  /// removes the caps: components without border have no roots from now on.
+  void remove_caps()
+  {
+    Table& t = m_simple.table();
+    const auto is_cap_root = [this](const Root& root) { return is_cap(root); };
+    const std::size_t num_caps = static_cast<std::size_t>(std::count_if(m_roots.begin(), m_roots.end(), is_cap_root));
+    for (const Root& root : m_roots)
+      if (is_cap(root))
+        t.unsplit_face(Table::face(root.base));
+    // the apices and faces of caps are the last ones
+    t.resize(t.num_vertices() - num_caps, t.num_faces() - 2 * num_caps);
+    m_roots.erase(std::remove_if(m_roots.begin(), m_roots.end(), is_cap_root), m_roots.end());
+    m_components.clear();
+  }
+
+  /// moves the table out.
+  Table release_table() { return std::move(m_simple.table()); }
 
 private:
-  static void check_connected(const Corner_table<Index>& table)
+  bool is_split(Index f) const
   {
-    std::vector<unsigned char> rank(table.num_vertices(), 0);
-    std::vector<Index> parent(table.num_vertices());
-    std::iota(parent.begin(), parent.end(), Index(0));
-    std::vector<bool> used(table.num_vertices(), false);
-    boost::disjoint_sets<unsigned char*, Index*> components(rank.data(), parent.data());
-    for (std::size_t h = 0; h < table.num_halfedges(); ++h) {
-      const Index s = table.source(static_cast<Index>(h)), t = table.target(static_cast<Index>(h));
-      used[s] = true;
-      if (s < t)
-        components.union_set(s, t);
-    }
-    for (std::size_t v = 0; v < table.num_vertices(); ++v)
-      if (!used[v])
-        throw Mesh_defect_exception(Mesh_defect::isolated_vertex, v);
-    for (std::size_t f = 0; f < table.num_faces(); ++f)
-      if (components.find_set(table.source(static_cast<Index>(3 * f))) != components.find_set(table.source(0)))
-        throw Mesh_defect_exception(Mesh_defect::several_components, f);
+    return !m_components.empty() && f < m_num_open_faces && table().vertex(3 * f + 2) >= first_apex();
   }
 
-  Corner_table<Index> m_table;
+  // The first fan that is met keeps the vertex.
+  void part_vertices()
+  {
+    std::vector<bool> has_fan;
+    for (std::size_t i = 0; i < table().num_halfedges(); ++i) {
+      const Index h = static_cast<Index>(i);
+      if (table().opposite(h) != Table::null())
+        continue;
+      if (has_fan.empty())
+        has_fan.resize(m_first_copy, false);
+      const Index v = table().source(h);
+      if (has_fan[v]) {
+        const Index copy = m_simple.table().add_vertex();
+        for (Index g = h; g != Table::null(); g = table().next_around_source(g))
+          m_simple.table().set_vertex(g, copy);
+        m_copies.push_back(v);
+      } else
+        has_fan[v] = true;
+    }
+  }
+
+  void close_borders()
+  {
+    std::size_t num_border_halfedges = 0;
+    for (std::size_t h = 0; h < table().num_halfedges(); ++h)
+      num_border_halfedges += table().opposite(static_cast<Index>(h)) == Table::null() ? 1 : 0;
+    if (num_border_halfedges == 0)
+      return;
+    m_simple.table().reserve_further_faces(num_border_halfedges);
+    for (std::size_t h = 0; h < 3 * m_num_open_faces; ++h)
+      if (table().opposite(static_cast<Index>(h)) == Table::null()) {
+        const std::size_t before = table().num_faces();
+        const Index apex = m_simple.table().close_border(static_cast<Index>(h));
+        m_roots.push_back({ apex, static_cast<Index>(3 * before), static_cast<Index>(table().num_faces() - before) });
+      }
+  }
+
+  // Finds the components in the order of their first faces, gives a cap to those without
+  // border, and sorts the roots. The main root is that of the largest border.
+  void find_components()
+  {
+    const std::size_t n = first_apex();
+    std::vector<unsigned char> rank(n, 0);
+    std::vector<Index> parent(n);
+    std::iota(parent.begin(), parent.end(), Index(0));
+    boost::disjoint_sets<unsigned char*, Index*> sets(rank.data(), parent.data());
+    for (std::size_t h = 0; h < 3 * m_num_open_faces; ++h) {
+      const Index s = table().source(static_cast<Index>(h)), t = table().target(static_cast<Index>(h));
+      if (s < t || table().opposite(static_cast<Index>(h)) >= 3 * m_num_open_faces)
+        sets.union_set(s, t);
+    }
+    std::vector<unsigned char>().swap(rank);
+
+    std::vector<Index> component(n, Table::null()); // of the vertices that stand for their sets
+    std::vector<Index> first_face;
+    for (std::size_t f = 0; f < m_num_open_faces; ++f) {
+      Index& c = component[sets.find_set(table().vertex(static_cast<Index>(3 * f)))];
+      if (c == Table::null()) {
+        c = static_cast<Index>(first_face.size());
+        first_face.push_back(static_cast<Index>(f));
+        m_components.push_back({ 0, 0, 0 });
+      }
+      ++m_components[c].num_faces;
+    }
+    const auto component_of = [&](const Root& r) { return component[sets.find_set(table().source(r.base))]; };
+    for (const Root& root : m_roots) {
+      Component& c = m_components[component_of(root)];
+      ++c.end_root;
+      c.num_faces += root.degree;
+    }
+    add_caps(first_face);
+    std::sort(m_roots.begin(), m_roots.end(), [&](const Root& a, const Root& b) {
+      return std::make_tuple(component_of(a), b.degree, a.apex) < std::make_tuple(component_of(b), a.degree, b.apex);
+    });
+    Index num_roots = 0;
+    for (Component& c : m_components) {
+      c.first_root = num_roots;
+      num_roots += c.end_root;
+      c.end_root = num_roots;
+    }
+  }
+
+  // Every component without roots gets one, in its first face.
+  void add_caps(const std::vector<Index>& first_face)
+  {
+    const std::size_t num_caps = static_cast<std::size_t>(
+        std::count_if(m_components.begin(), m_components.end(), [](const Component& c) { return c.end_root == 0; }));
+    if (num_caps == 0)
+      return;
+    m_simple.table().reserve_further_faces(2 * num_caps);
+    for (std::size_t c = 0; c < m_components.size(); ++c)
+      if (m_components[c].end_root == 0) {
+        const Index f = first_face[c];
+        const Index apex = m_simple.table().split_face(f);
+        m_roots.push_back({ apex, static_cast<Index>(3 * f), 3 });
+        m_components[c].end_root = 1;
+        m_components[c].num_faces += 2;
+      }
+  }
+
+  Simple_triangulation<Index> m_simple;
+  internal::Emptied_on_move<std::size_t> m_num_open_faces, m_first_copy;
+  std::vector<Index> m_copies;
   std::vector<Root> m_roots;
-  internal::Emptied_on_move<std::size_t> m_num_user_vertices;
+  std::vector<Component> m_components;
 };
 
 } // namespace CGAL

@@ -16,9 +16,10 @@
 #include <CGAL/Compact_surface_mesh/Compact_surface_mesh_fwd.h>
 
 #include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
-#include <CGAL/Compact_surface_mesh/Corner_table.h>
 #include <CGAL/Compact_surface_mesh/Element_properties.h>
 #include <CGAL/Compact_surface_mesh/Element_ranges.h>
+#include <CGAL/Compact_surface_mesh/Input_images.h>
+#include <CGAL/Compact_surface_mesh/Simple_triangulation.h>
 #include <CGAL/Compact_surface_mesh/descriptors.h>
 #include <CGAL/Compact_surface_mesh/internal/Fixed_connectivity.h>
 #include <CGAL/Compact_surface_mesh/internal/Input_report.h>
@@ -78,8 +79,11 @@ and faces. The constructors tell it on request: which element of the mesh an ele
 the input became by the named parameters `vertex_to_vertex_map` and its kin, and from
 which one it came by the property maps of `parameters::input_index_maps()`.
 
-Today meshes must be closed, connected and triangulated surfaces of genus 0; they may
-also be empty.
+<b>All oriented manifolds are taken</b>, with any number of components, borders, handles and isolated
+vertices, and with faces of any number of sides. A vertex may have several fans of faces if
+these are all open: then the halfedges around it run through all of them, and a border goes
+from each fan to another one. Faces must not visit a vertex twice. What is refused, and how
+this is told, is said at `Mesh_defect`.
 
 \tparam Point_ the type of the points of the vertices: any type that can be default
 constructed and copied. Algorithms want a point of a \cgal kernel.
@@ -201,7 +205,7 @@ public:
   /*!
   copies the mesh `g`.
 
-  \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph` all of whose faces are triangles
+  \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
   \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
   \cgalNamedParamsBegin
@@ -254,27 +258,27 @@ public:
   }
 
   /*!
-  builds the mesh of a triangle soup.
+  builds the mesh of a polygon soup.
 
   \tparam PointRange a range of `Point`s, or of points of another kernel
-  \tparam TriangleRange a range of ranges of three integers each
+  \tparam PolygonRange a range of ranges of at least three integers each
   \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
   \param points the points of the vertices
-  \param triangles the indices in `points` of the vertices of each face, counterclockwise
+  \param polygons the indices in `points` of the vertices of each face, counterclockwise
   \param np as for the construction from a `FaceListGraph`, with integers in place of the
     descriptors of `g`: `vertex_to_vertex_output_iterator`, `vertex_to_vertex_map`,
     `face_to_face_output_iterator`, `face_to_face_map`, `input_index_maps`
 
   \throws Mesh_defect_exception if the soup is no mesh that this class takes
   */
-  template <class PointRange, class TriangleRange, class CGAL_NP_TEMPLATE_PARAMETERS>
-  Compact_surface_mesh(const PointRange& points, const TriangleRange& triangles,
+  template <class PointRange, class PolygonRange, class CGAL_NP_TEMPLATE_PARAMETERS>
+  Compact_surface_mesh(const PointRange& points, const PolygonRange& polygons,
                        const CGAL_NP_CLASS& np = parameters::default_values())
   {
     const std::size_t n = static_cast<std::size_t>(std::distance(std::begin(points), std::end(points)));
-    construct(Corner_table<size_type>(n, triangles),
-              internal::Soup_input<PointRange, TriangleRange>(points, triangles), np);
+    construct(Simple_triangulation<size_type>(n, polygons),
+              internal::Soup_input<PointRange, PolygonRange>(points, polygons), np);
   }
 
   /// copies connectivity and points of `other`, but no other property maps.
@@ -446,15 +450,16 @@ public:
     m_layout.for_each_adjacent_vertex(v, [&](size_type u) { visit(Vertex_index(u)); });
   }
 
-  /// calls `visit(u, w)` for each face (`v`,`u`,`w`), counterclockwise, at `v`, once each, in
-  /// no particular order.
+  /// calls `visit(u, w)` for each face at `v`, once each, in no particular order, where `u` follows
+  /// and `w` precedes `v` in the face counterclockwise: a triangle is (`v`,`u`,`w`).
   template <class Visitor>
   void for_each_incident_triangle(Vertex_index v, Visitor&& visit) const
   {
     m_layout.for_each_incident_triangle(v, [&](size_type u, size_type w) { visit(Vertex_index(u), Vertex_index(w)); });
   }
 
-  /// returns the vertices of `f` counterclockwise, from `target(halfedge(f))` on.
+  /// returns the vertices of `f` counterclockwise, from `target(halfedge(f))` on; of a polygon,
+  /// only the first three.
   std::array<Vertex_index, 3> vertices_of_face(Face_index f) const
   {
     const std::array<size_type, 3> v = m_layout.vertices_of_face(f);
@@ -563,19 +568,20 @@ private:
   void copy_graph(const FaceGraph& g, const VertexIndexMap& vertex_index, const PointMap& point,
                   const NamedParameters& np)
   {
-    construct(Corner_table<size_type>(g, vertex_index),
+    construct(Simple_triangulation<size_type>(g, vertex_index),
               internal::Graph_input<FaceGraph, PointMap, VertexIndexMap>(g, point, vertex_index), np);
   }
 
   // The connectivity comes first, so that the memory for its construction is free again
   // when the points are copied. What the caller owns is written to last.
   template <class Input, class NamedParameters>
-  void construct(Corner_table<size_type>&& table, const Input& input, const NamedParameters& np)
+  void construct(Simple_triangulation<size_type>&& t, const Input& input, const NamedParameters& np)
   {
-    std::vector<size_type> images; // of the vertices of the input
-    set_layout(Layout(Closed_triangulation<size_type>(std::move(table)), images));
+    Input_images<size_type> images;
+    images.wants_halfedges = internal::wants_halfedges(np);
+    set_layout(Layout(Closed_triangulation<size_type>(std::move(t)), images));
     input.for_each_point([&](std::size_t i, const auto& p) {
-      this->point(Vertex_index(images[i])) = internal::converted_point<Point>(p);
+      this->point(Vertex_index(images.vertices[i])) = internal::converted_point<Point>(p);
     });
     internal::report_input(input, images, *this, np);
   }

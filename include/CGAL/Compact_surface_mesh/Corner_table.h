@@ -12,40 +12,22 @@
 
 #include <CGAL/Compact_surface_mesh/Mesh_defect_exception.h>
 #include <CGAL/Compact_surface_mesh/internal/Emptied_on_move.h>
-
-#include <CGAL/boost/graph/properties.h>
-
-#include <boost/container/static_vector.hpp>
-#include <boost/graph/graph_traits.hpp>
+#include <CGAL/Compact_surface_mesh/internal/Graph_faces.h>
+#include <CGAL/Compact_surface_mesh/internal/Halfedge_matching.h>
+#include <CGAL/Compact_surface_mesh/internal/Polygon_list.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <limits>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 
-namespace internal {
-
-// The indices of the vertices of face f, from the source of halfedge(f, g) on. There
-// are four of them if the face is no triangle: whoever takes triangles only sees it.
-template <class Face, class FaceGraph, class VertexIndexMap>
-boost::container::static_vector<std::size_t, 4>
-vertex_indices_of_face(Face f, const FaceGraph& g, const VertexIndexMap& vertex_index)
-{
-  boost::container::static_vector<std::size_t, 4> indices;
-  const auto first = halfedge(f, g);
-  auto h = first;
-  do {
-    indices.push_back(static_cast<std::size_t>(get(vertex_index, source(h, g))));
-    h = next(h, g);
-  } while (h != first && indices.size() < 4);
-  return indices;
-}
-
-} // namespace internal
+template <class Index>
+class Simple_triangulation;
 
 /*!
 \ingroup PkgCompactSurfaceMeshRef
@@ -92,12 +74,13 @@ public:
   */
   template <class TriangleRange>
   Corner_table(std::size_t num_vertices, const TriangleRange& triangles)
-    : m_num_vertices(num_vertices)
   {
-    reserve(static_cast<std::size_t>(std::distance(std::begin(triangles), std::end(triangles))));
+    internal::Polygon_list<Index> list(
+      num_vertices, static_cast<std::size_t>(std::distance(std::begin(triangles), std::end(triangles))));
     for (const auto& triangle : triangles)
-      append_triangle(triangle);
-    match_halfedges();
+      list.append_triangle(triangle);
+    take_triangles(list);
+    internal::match_halfedges(*this, m_opposite);
   }
 
   /*!
@@ -108,6 +91,8 @@ public:
   \tparam VertexIndexMap a readable property map from vertices to integers
   \param g the mesh
   \param vertex_index numbers the vertices of `g` from 0 without holes
+
+  No two edges of `g` may have the same ends; `Simple_triangulation` takes them.
   */
   template <class FaceGraph, class VertexIndexMap
 #ifndef DOXYGEN_RUNNING
@@ -116,13 +101,15 @@ public:
             >
   Corner_table(const FaceGraph& g, const VertexIndexMap& vertex_index)
   {
-    const auto vertex_range = vertices(g);
-    const auto face_range = faces(g);
-    m_num_vertices = static_cast<std::size_t>(std::distance(vertex_range.begin(), vertex_range.end()));
-    reserve(static_cast<std::size_t>(std::distance(face_range.begin(), face_range.end())));
-    for (const auto f : face_range)
-      append_triangle(internal::vertex_indices_of_face(f, g, vertex_index));
-    match_halfedges();
+    internal::Graph_faces<FaceGraph, VertexIndexMap> graph_faces(g, vertex_index);
+    internal::Polygon_list<Index> list = graph_faces.template read<Index>(true);
+    take_triangles(list);
+    internal::Halfedge_matching<Index, Corner_table> matching(*this, m_opposite);
+    if (!graph_faces.pair_by_ends(matching, m_opposite))
+      throw Mesh_defect_exception(Mesh_defect::double_edge,
+                                  matching.has_conflict() ? matching.face_of_conflict()
+                                                          : graph_faces.triangle_at_false_pair(m_opposite));
+    matching.check_vertices();
   }
 
   /// @}
@@ -183,7 +170,27 @@ public:
   /// @}
 
   /// \name Hidden Vertices
+  /// What closes the table, and parts its vertices, so that it is simple and has no border.
   /// @{
+
+  /// appends a vertex without faces and returns it.
+  /// \throws Mesh_defect_exception if `Index` cannot number it
+  Index add_vertex()
+  {
+    if (m_num_vertices + 1 >= null())
+      throw Mesh_defect_exception(Mesh_defect::too_many_elements, m_num_vertices + 1);
+    return static_cast<Index>((*m_num_vertices)++);
+  }
+
+  /// makes room for as many further faces.
+  /// \throws Mesh_defect_exception if `Index` cannot number them
+  void reserve_further_faces(std::size_t n)
+  {
+    if (n > (null() - 1 - num_halfedges()) / 3)
+      throw Mesh_defect_exception(Mesh_defect::too_many_elements, num_faces() + n);
+    m_vertex.reserve(m_vertex.size() + 3 * n);
+    m_opposite.reserve(m_vertex.size() + 3 * n);
+  }
 
   /*!
   splits face `f` = (`a`,`b`,`c`) by a new vertex `x` into (`a`,`b`,`x`), which keeps the
@@ -194,11 +201,10 @@ public:
   */
   Index split_face(Index f)
   {
-    if (num_halfedges() + 6 >= null() || m_num_vertices + 1 >= null())
-      throw Mesh_defect_exception(Mesh_defect::too_many_elements, num_faces() + 2);
+    reserve_further_faces(2);
+    const Index x = add_vertex();
     const Index h = 3 * f, bc = static_cast<Index>(num_halfedges()), ca = bc + 3;
     const Index b = m_vertex[h + 1], c = m_vertex[h + 2], a = m_vertex[h];
-    const Index x = static_cast<Index>((*m_num_vertices)++);
     m_vertex.insert(m_vertex.end(), { b, c, x, c, a, x });
     m_opposite.resize(m_vertex.size(), null());
     m_vertex[h + 2] = x;
@@ -210,144 +216,87 @@ public:
     return x;
   }
 
-  /// undoes the last `split_face()`, which was of face `f`.
+  /// returns where `split_face()` put halfedge `h` of the face that it split.
+  Index halfedge_of_split_face(Index h) const
+  {
+    return h % 3 == 0 ? h : (h % 3 == 1 ? m_opposite[h] - 2 : m_opposite[h] - 1);
+  }
+
+  /// undoes `split_face(f)`, but for the two faces and the vertex at the end.
   void unsplit_face(Index f)
   {
-    const Index h = 3 * f, ca = static_cast<Index>(num_halfedges() - 3), bc = ca - 3;
+    const Index h = 3 * f, bc = halfedge_of_split_face(h + 1), ca = halfedge_of_split_face(h + 2);
     m_vertex[h + 2] = m_vertex[ca];
     move_halfedge(bc, h + 1);
     move_halfedge(ca, h + 2);
-    m_vertex.resize(bc);
-    m_opposite.resize(bc);
-    --*m_num_vertices;
+  }
+
+  /*!
+  closes the border along which `h` lies, by triangles at the end that join it to a new vertex.
+  The first one is opposite to `h`, and each of them starts with a halfedge of the border.
+  \returns the new vertex
+  \throws Mesh_defect_exception if `Index` cannot number the new elements
+  \pre `h` has no opposite, and its border passes no vertex twice.
+  */
+  Index close_border(Index h)
+  {
+    const Index x = add_vertex();
+    const Index first = static_cast<Index>(num_halfedges());
+    Index g = h;
+    do {
+      if (m_vertex.size() + 3 >= null())
+        throw Mesh_defect_exception(Mesh_defect::too_many_elements, num_faces() + 1);
+      const Index u = source(g);
+      const Index added = static_cast<Index>(m_vertex.size());
+      m_vertex.insert(m_vertex.end(), { target(g), u, x });
+      m_opposite.resize(m_vertex.size(), null());
+      const Index closed = g;
+      g = prev(last_around_source(g));
+      if (added == first) // h shows the end of the border as long as it has no opposite
+        continue;
+      pair(added - 2, added + 2);
+      pair(closed, added);
+    } while (g != h);
+    pair(static_cast<Index>(m_vertex.size()) - 2, first + 2);
+    pair(h, first);
+    return x;
+  }
+
+  /// returns the last halfedge counterclockwise, from `h` on, out of `source(h)`, which lies on a border.
+  Index last_around_source(Index h) const
+  {
+    for (Index g = next_around_source(h); g != null(); g = next_around_source(g))
+      h = g;
+    return h;
+  }
+
+  /// gives corner `c` to vertex `v`.
+  void set_vertex(Index c, Index v) { m_vertex[c] = v; }
+
+  /// removes all but the first `num_vertices` vertices and `num_faces` faces; the remaining
+  /// faces may not use the other vertices.
+  void resize(std::size_t num_vertices, std::size_t num_faces)
+  {
+    for (std::size_t h = 3 * num_faces; h < num_halfedges(); ++h)
+      if (m_opposite[h] < 3 * num_faces && m_opposite[m_opposite[h]] == h)
+        m_opposite[m_opposite[h]] = null();
+    m_vertex.resize(3 * num_faces);
+    m_opposite.resize(3 * num_faces);
+    m_num_vertices = num_vertices;
   }
 
   /// @}
 
 private:
-  void reserve(std::size_t num_faces)
-  {
-    const std::size_t limit = null();
-    if (m_num_vertices >= limit)
-      throw Mesh_defect_exception(Mesh_defect::too_many_elements, m_num_vertices);
-    if (num_faces >= limit / 3)
-      throw Mesh_defect_exception(Mesh_defect::too_many_elements, num_faces);
-    // room for one split_face(), so that closing a mesh does not copy it
-    m_vertex.reserve(3 * num_faces + 6);
-  }
+  friend class Simple_triangulation<Index>;
 
-  template <class Triangle>
-  void append_triangle(const Triangle& triangle)
+  // Takes the list apart. Halfedges remain to be paired.
+  void take_triangles(internal::Polygon_list<Index>& list)
   {
-    const std::size_t f = num_faces();
-    std::size_t size = 0;
-    std::size_t v[3];
-    for (const auto& i : triangle) {
-      if (size == 3)
-        throw Mesh_defect_exception(Mesh_defect::not_a_triangle, f);
-      v[size++] = static_cast<std::size_t>(i);
-    }
-    if (size != 3)
-      throw Mesh_defect_exception(Mesh_defect::not_a_triangle, f);
-    for (std::size_t i : v)
-      if (i >= m_num_vertices)
-        throw Mesh_defect_exception(Mesh_defect::index_out_of_range, f);
-    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
-      throw Mesh_defect_exception(Mesh_defect::repeated_vertex, f);
-    for (std::size_t i : v)
-      m_vertex.push_back(static_cast<Index>(i));
-  }
-
-  // Pairs the halfedges vertex by vertex: those that end at v are noted at their
-  // sources, where those that start at v find them. Until the turn of its vertex
-  // comes, the entry of a corner in m_opposite links the corners of that vertex.
-  void match_halfedges()
-  {
-    std::vector<Index> corner(m_num_vertices, null()), incoming(m_num_vertices, null());
+    m_num_vertices = list.num_vertices();
+    m_vertex = list.release_vertices();
     m_opposite.reserve(m_vertex.capacity());
     m_opposite.resize(m_vertex.size());
-    for (std::size_t i = m_vertex.size(); i-- > 0;) {
-      m_opposite[i] = corner[m_vertex[i]];
-      corner[m_vertex[i]] = static_cast<Index>(i);
-    }
-
-    const auto note = [&](Index v, Index u) { return incoming[u] != null() && target(incoming[u]) == v; };
-    for (std::size_t i = 0; i < m_num_vertices; ++i) {
-      const Index v = static_cast<Index>(i);
-      for (Index c = corner[v]; c != null(); c = m_opposite[c]) {
-        const Index u = m_vertex[prev(c)];
-        if (note(v, u))
-          throw Mesh_defect_exception(edge_defect(corner[v], u), face(c));
-        incoming[u] = prev(c);
-      }
-      for (Index c = corner[v], following; c != null(); c = following) {
-        following = m_opposite[c];
-        const Index w = target(c);
-        m_opposite[c] = note(v, w) ? incoming[w] : null();
-      }
-    }
-    check_vertices(corner, incoming);
-  }
-
-  // What is wrong with the edge between u and the vertex whose corners are listed
-  // from first on: two of its halfedges have the same direction.
-  Mesh_defect edge_defect(Index first, Index u) const
-  {
-    std::size_t num_faces_at_edge = 0;
-    Index others[2] = { null(), null() };
-    for (Index c = first; c != null(); c = m_opposite[c]) {
-      const Index s = m_vertex[next(c)], t = m_vertex[prev(c)];
-      if (s != u && t != u)
-        continue;
-      if (num_faces_at_edge < 2)
-        others[num_faces_at_edge] = s == u ? t : s;
-      ++num_faces_at_edge;
-    }
-    if (num_faces_at_edge > 2)
-      return Mesh_defect::nonmanifold_edge;
-    return others[0] == others[1] ? Mesh_defect::duplicate_face : Mesh_defect::inconsistent_orientation;
-  }
-
-  // Every vertex must have one closed fan, or open fans only.
-  void check_vertices(const std::vector<Index>& corner, std::vector<Index>& unseen) const
-  {
-    unseen.assign(m_num_vertices, 0);
-    for (Index v : m_vertex)
-      ++unseen[v];
-    for (std::size_t v = 0; v < m_num_vertices; ++v) {
-      if (unseen[v] == 0)
-        continue;
-      const Fan fan = fan_from(corner[v]);
-      if (fan.closed && fan.size != unseen[v])
-        throw Mesh_defect_exception(Mesh_defect::nonmanifold_vertex, v);
-      if (fan.closed)
-        unseen[v] = 0;
-    }
-    for (std::size_t h = 0; h < m_vertex.size(); ++h)
-      if (m_opposite[h] == null())
-        unseen[m_vertex[h]] -= fan_from(static_cast<Index>(h)).size;
-    for (std::size_t v = 0; v < m_num_vertices; ++v)
-      if (unseen[v] != 0)
-        throw Mesh_defect_exception(Mesh_defect::nonmanifold_vertex, v);
-  }
-
-  struct Fan
-  {
-    Index size;
-    bool closed;
-  };
-
-  // The corners from c on counterclockwise, to a border or around.
-  Fan fan_from(Index c) const
-  {
-    Fan fan = { 0, false };
-    Index d = c;
-    do {
-      ++fan.size;
-      d = swing(d);
-    } while (d != c && d != null());
-    fan.closed = d == c;
-    return fan;
   }
 
   void pair(Index g, Index h)

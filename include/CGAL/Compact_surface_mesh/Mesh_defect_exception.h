@@ -25,11 +25,13 @@ the kind of element that `Mesh_defect_exception::element()` then numbers.
 enum class Mesh_defect
 {
   index_out_of_range,       ///< a face names a vertex that does not exist (face)
-  not_a_triangle,           ///< a face does not have three vertices (face)
+  degenerate_face,          ///< a face has fewer than three sides (face)
+  not_a_triangle,           ///< a face does not have three vertices, where all must have (face)
   repeated_vertex,          ///< a face names a vertex twice (face)
   nonmanifold_edge,         ///< an edge has more than two faces (one of the faces)
   duplicate_face,           ///< two faces have the same vertices in the same direction (one of the faces)
   inconsistent_orientation, ///< two faces run along their edge in the same direction (one of the faces)
+  double_edge,              ///< two edges have the same ends, where none may have (a face at one of them)
   nonmanifold_vertex,       ///< a closed fan of faces meets another fan at a vertex (vertex)
   isolated_vertex,          ///< a vertex belongs to no face (vertex)
   border,                   ///< the mesh has a border (a face along the border)
@@ -68,6 +70,8 @@ private:
     switch (defect) {
     case Mesh_defect::index_out_of_range:
       return "face " + e + " names a vertex that does not exist";
+    case Mesh_defect::degenerate_face:
+      return "face " + e + " has fewer than three sides";
     case Mesh_defect::not_a_triangle:
       return "face " + e + " is not a triangle";
     case Mesh_defect::repeated_vertex:
@@ -82,6 +86,8 @@ private:
     case Mesh_defect::inconsistent_orientation:
       return "face " + e + " and a neighbor run along their edge in the same direction"
              " (CGAL::Polygon_mesh_processing::orient_polygon_soup() can orient polygon soups)";
+    case Mesh_defect::double_edge:
+      return "face " + e + " has an edge with the same ends as another edge";
     case Mesh_defect::nonmanifold_vertex:
       return "vertex " + e + " joins a closed fan of faces to another fan"
              " (CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() can part them)";

@@ -10,144 +10,64 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
-#include <CGAL/boost/graph/properties.h>
+#include <CGAL/Schnyder_woods/Schnyder_wood_rules.h>
+#include <CGAL/Schnyder_woods/internal/Rooted_surface.h>
+#include <CGAL/Schnyder_woods/internal/Schnyder_wood_checker.h>
+#include <CGAL/Schnyder_woods/internal/mapped_wood.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <array>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 
-namespace internal {
+/*!
+\ingroup PkgSchnyderWoodsRef
 
-// Checks one rule after the other of a wood on a triangulated sphere.
-template <class FaceGraph, class HalfedgeColorMap, class HalfedgeOutgoingMap>
-class Schnyder_wood_checker
+returns whether `color`, `outgoing` and `is_special` are a g-Schnyder wood of `g`, as `g_schnyder_wood()` writes
+it. The rules are:
+- local ones: the two halfedges of each edge agree, unless it is special, and around all vertices the edges are in the
+  order that is said at `g_schnyder_wood()`, sector by sector;
+- those of the cut graph: there are \f$2g + r - 1\f$ special edges, where \f$r\f$ is the number of roots. The edges of
+  color 2 and the root edges \f$V_0 V_2\f$ and \f$V_1 V_2\f$ are a forest that spans all vertices, and lead to the roots.
+  With the special edges, they are a cut graph: its complement is one open disk;
+- the cellular ones: the edges of color 0 and the root edges of \f$V_0\f$ are a connected graph that spans all vertices
+  but the further roots, and part the surface into \f$2g + 2r - 1\f$ disks, special edges counted as two edges
+  with a face between them; likewise the edges of color 1 and the root edges of \f$V_1\f$.
+
+Values at the edges of the root face are ignored, but for `is_special`, which is false there.
+
+Time almost linear in the size of the mesh (definition 3.1 and proposition 3.5 of the habilitation of
+L. Castelli Aleardi, 2022; but \f$V_0\f$ and \f$V_1\f$ are allowed to have edges in of color 2 in sectors other than
+the root sectors, without which some tori would have no g-Schnyder wood by the shelling of theorem 3.4).
+
+\tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam HalfedgeColorMap a readable property map from halfedges to `int`
+\tparam HalfedgeOutgoingMap a readable property map from halfedges to `bool`
+\tparam EdgeIsSpecialMap a readable property map from edges to `bool`
+
+\param g a connected closed surface, triangulated without double edges
+\param root a halfedge from \f$V_1\f$ to \f$V_0\f$ along the root face
+\param color,outgoing,is_special the wood
+\param rules tells which rules are checked
+\param further_roots the further roots
+
+\throws Mesh_defect_exception,std::invalid_argument as `g_schnyder_wood()`
+*/
+template <class FaceGraph, class HalfedgeColorMap, class HalfedgeOutgoingMap, class EdgeIsSpecialMap>
+bool is_g_schnyder_wood(
+  const FaceGraph& g,
+  typename boost::graph_traits<FaceGraph>::halfedge_descriptor root,
+  HalfedgeColorMap color,
+  HalfedgeOutgoingMap outgoing,
+  EdgeIsSpecialMap is_special,
+  Schnyder_wood_rules rules = Schnyder_wood_rules::CELLULAR,
+  const std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor>& further_roots = {})
 {
-  typedef boost::graph_traits<FaceGraph> Traits;
-  typedef typename Traits::halfedge_descriptor halfedge_descriptor;
-  typedef typename Traits::vertex_descriptor vertex_descriptor;
-
-public:
-  Schnyder_wood_checker(const FaceGraph& g, halfedge_descriptor root, HalfedgeColorMap color,
-                        HalfedgeOutgoingMap outgoing)
-    : g(g), m_root{ target(root, g), source(root, g), target(next(root, g), g) }, m_color(color), m_outgoing(outgoing)
-  {}
-
-  bool operator()() const
-  {
-    for (const auto h : halfedges(g))
-      if (!is_root_edge(h) && !edge_is_consistent(h))
-        return false;
-    for (const auto v : vertices(g)) {
-      const std::size_t i = root_index(v);
-      if (i < 3 ? !root_rule(v, static_cast<int>(i)) : !local_rule(v))
-        return false;
-    }
-    for (int c = 0; c < 3; ++c)
-      if (!is_tree(c))
-        return false;
-    return true;
-  }
-
-private:
-  std::size_t root_index(vertex_descriptor v) const
-  {
-    std::size_t i = 0;
-    while (i < 3 && m_root[i] != v)
-      ++i;
-    return i;
-  }
-
-  // In a simple triangulation with an inner vertex, an edge between two vertices of the
-  // root face is one of its three edges.
-  bool is_root_edge(halfedge_descriptor h) const
-  {
-    return root_index(source(h, g)) < 3 && root_index(target(h, g)) < 3;
-  }
-
-  bool is_out(halfedge_descriptor h) const { return get(m_outgoing, h); }
-
-  bool edge_is_consistent(halfedge_descriptor h) const
-  {
-    const halfedge_descriptor o = opposite(h, g);
-    const int c = get(m_color, h);
-    return 0 <= c && c < 3 && c == get(m_color, o) && is_out(h) != is_out(o);
-  }
-
-  halfedge_descriptor next_around_source(halfedge_descriptor h) const { return opposite(prev(h, g), g); }
-
-  // All edges of V_i come in with color i.
-  bool root_rule(vertex_descriptor v, int i) const
-  {
-    const halfedge_descriptor first = opposite(halfedge(v, g), g);
-    halfedge_descriptor h = first;
-    do {
-      if (!is_root_edge(h) && (is_out(h) || get(m_color, h) != i))
-        return false;
-      h = next_around_source(h);
-    } while (h != first);
-    return true;
-  }
-
-  // From the edge out of color 0 on: each edge out has the next color, and what comes in
-  // between the edges out of colors c and c + 1 has color c + 2.
-  bool local_rule(vertex_descriptor v) const
-  {
-    halfedge_descriptor h = opposite(halfedge(v, g), g);
-    const halfedge_descriptor any = h;
-    while (!(is_out(h) && get(m_color, h) == 0)) {
-      h = next_around_source(h);
-      if (h == any)
-        return false;
-    }
-    const halfedge_descriptor first = h;
-    int num_out = 0;
-    do {
-      const int c = get(m_color, h);
-      if (is_out(h) ? c != num_out++ : c != (num_out + 1) % 3)
-        return false;
-      h = next_around_source(h);
-    } while (h != first);
-    return num_out == 3;
-  }
-
-  // From every vertex off the root face, the edges of color c lead to V_c.
-  bool is_tree(int c) const
-  {
-    enum State { unknown, on_path, reaches_root };
-    const auto state = get(dynamic_vertex_property_t<int>(), g);
-    const auto parent = get(dynamic_vertex_property_t<vertex_descriptor>(), g);
-    for (const auto v : vertices(g))
-      put(state, v, v == m_root[c] ? reaches_root : unknown);
-    for (const auto h : halfedges(g))
-      if (!is_root_edge(h) && is_out(h) && get(m_color, h) == c)
-        put(parent, source(h, g), target(h, g));
-    std::vector<vertex_descriptor> path;
-    for (auto v : vertices(g)) {
-      if (root_index(v) < 3)
-        continue;
-      for (path.clear(); get(state, v) == unknown && root_index(v) == 3; v = get(parent, v)) {
-        put(state, v, on_path);
-        path.push_back(v);
-      }
-      if (get(state, v) != reaches_root)
-        return false;
-      for (const auto u : path)
-        put(state, u, reaches_root);
-    }
-    return true;
-  }
-
-  const FaceGraph& g;
-  const std::array<vertex_descriptor, 3> m_root;
-  const HalfedgeColorMap m_color;
-  const HalfedgeOutgoingMap m_outgoing;
-};
-
-} // namespace internal
+  const internal::Rooted_surface<FaceGraph> surface(g, root, further_roots);
+  const internal::Schnyder_wood wood = internal::read_wood(g, surface, color, outgoing, is_special);
+  return surface.is_empty() || surface.checker(wood)(rules);
+}
 
 /*!
 \ingroup PkgSchnyderWoodsRef
@@ -157,13 +77,17 @@ whether the two halfedges of each edge agree, the rules around all vertices hold
 the edges of each color form a tree that spans the vertices off the root face. Values at the
 edges of the root face are ignored.
 
-Time linear in the size of the mesh.
+Time almost linear in the size of the mesh.
 
 \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam HalfedgeColorMap a readable property map from halfedges to `int`
 \tparam HalfedgeOutgoingMap a readable property map from halfedges to `bool`
 
-\pre `g` is a simple triangulation of the sphere, and `root` a halfedge of it, from \f$V_1\f$ to \f$V_0\f$.
+\param g a simple triangulation of the sphere
+\param root a halfedge from \f$V_1\f$ to \f$V_0\f$ along the root face
+\param color,outgoing the wood
+
+\throws Mesh_defect_exception as `schnyder_wood()`
 */
 template <class FaceGraph, class HalfedgeColorMap, class HalfedgeOutgoingMap>
 bool is_schnyder_wood(const FaceGraph& g,
@@ -171,7 +95,9 @@ bool is_schnyder_wood(const FaceGraph& g,
                       HalfedgeColorMap color,
                       HalfedgeOutgoingMap outgoing)
 {
-  return internal::Schnyder_wood_checker<FaceGraph, HalfedgeColorMap, HalfedgeOutgoingMap>(g, root, color, outgoing)();
+  const internal::Rooted_surface<FaceGraph> sphere = internal::rooted_sphere(g, root);
+  const internal::Schnyder_wood wood = internal::read_wood(g, sphere, color, outgoing);
+  return sphere.is_empty() || sphere.checker(wood)(Schnyder_wood_rules::CELLULAR);
 }
 
 } // namespace CGAL

@@ -11,15 +11,13 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Schnyder_woods/Shelling_order.h>
-#include <CGAL/Schnyder_woods/internal/Rooted_sphere.h>
+#include <CGAL/Schnyder_woods/internal/Rooted_surface.h>
 #include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
-#include <CGAL/Schnyder_woods/internal/Shelling.h>
-
-#include <CGAL/boost/graph/properties.h>
+#include <CGAL/Schnyder_woods/internal/mapped_wood.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <cstddef>
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -70,21 +68,11 @@ void schnyder_wood(const FaceGraph& g,
                    Shelling_order order = Shelling_order::LAST_IN_FIRST_OUT,
                    unsigned int seed = 0)
 {
-  const internal::Rooted_sphere<FaceGraph> sphere(g, root);
-  if (sphere.halfedges.empty())
+  const internal::Rooted_surface<FaceGraph> sphere = internal::rooted_sphere(g, root);
+  if (sphere.is_empty())
     return;
-  internal::Schnyder_wood wood(sphere.halfedges.size());
-  internal::Shelling<std::uint32_t>(sphere.table, sphere.base, wood, order, seed)([](std::uint32_t) {});
-  for (std::size_t h = 0; h < sphere.halfedges.size(); ++h) {
-    put(color, sphere.halfedges[h], static_cast<int>(wood.color(h)));
-    put(outgoing, sphere.halfedges[h], wood.is_outgoing(h));
-  }
-  std::uint32_t h = sphere.base;
-  for (int i = 0; i < 3; ++i, h = sphere.table.next(h))
-    for (const std::uint32_t side : { h, sphere.table.opposite(h) }) {
-      put(color, sphere.halfedges[side], -1);
-      put(outgoing, sphere.halfedges[side], false);
-    }
+  const internal::Schnyder_wood wood = sphere.shelled_wood(order, seed, [](std::uint32_t) {});
+  internal::write_wood(sphere, wood, color, outgoing);
 }
 
 /*!
@@ -131,15 +119,13 @@ OutputIterator canonical_ordering(const FaceGraph& g,
 {
   typedef typename boost::graph_traits<FaceGraph>::vertex_descriptor vertex_descriptor;
 
-  const internal::Rooted_sphere<FaceGraph> sphere(g, root);
-  if (sphere.halfedges.empty())
+  const internal::Rooted_surface<FaceGraph> sphere = internal::rooted_sphere(g, root);
+  if (sphere.is_empty())
     return out;
   std::vector<vertex_descriptor> vertex_of_index(vertices(g).begin(), vertices(g).end());
   std::vector<vertex_descriptor> conquered;
   conquered.reserve(vertex_of_index.size());
-  internal::Schnyder_wood wood(sphere.halfedges.size());
-  internal::Shelling<std::uint32_t>(sphere.table, sphere.base, wood, order, seed)(
-      [&](std::uint32_t v) { conquered.push_back(vertex_of_index[v]); });
+  sphere.shelled_wood(order, seed, [&](std::uint32_t v) { conquered.push_back(vertex_of_index[v]); });
   *out++ = target(root, g);
   *out++ = source(root, g);
   return std::copy(conquered.rbegin(), conquered.rend(), out);

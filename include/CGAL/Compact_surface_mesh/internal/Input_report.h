@@ -17,6 +17,7 @@
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -94,19 +95,20 @@ auto correspondence(const NamedParameters& np, IteratorTag iterator_tag, MapTag 
   return Correspondence<decltype(iterator), decltype(map)>(iterator, map);
 }
 
-// The two kinds of input are seen alike. They call
+// The two kinds of input are seen alike. Sides are the halfedges of faces, counted face by face. They call
 //   visit(i, p)         for the point p of each vertex, where i is its index in the input,
 //   visit(source, i)    for each vertex,
-//   visit(source, i, j) for each halfedge, from the vertex with index i to that with
-//                       index j, and for one halfedge of each face.
+//   visit(source, i, b) for each halfedge, where i is the index of its side if b is false, and that
+//                       of the other side of its edge if b is true and it lies on a border,
+//   visit(source, i)    for each face, whose first side has index i.
 
-// A range of triples of indices, and the points beside it.
-template <class PointRange, class TriangleRange>
+// A range of ranges of indices, and the points beside it.
+template <class PointRange, class PolygonRange>
 class Soup_input
 {
 public:
-  Soup_input(const PointRange& points, const TriangleRange& triangles)
-    : m_points(points), m_triangles(triangles)
+  Soup_input(const PointRange& points, const PolygonRange& polygons)
+    : m_points(points), m_polygons(polygons)
   {}
 
   template <class Visitor>
@@ -128,12 +130,10 @@ public:
   template <class Visitor>
   void for_each_face(Visitor visit) const
   {
-    std::size_t f = 0;
-    for (const auto& triangle : m_triangles) {
-      auto it = std::begin(triangle);
-      const std::size_t a = static_cast<std::size_t>(*it);
-      const std::size_t b = static_cast<std::size_t>(*++it);
-      visit(f++, a, b);
+    std::size_t f = 0, side = 0;
+    for (const auto& polygon : m_polygons) {
+      visit(f++, side);
+      side += static_cast<std::size_t>(std::distance(std::begin(polygon), std::end(polygon)));
     }
   }
 
@@ -142,7 +142,7 @@ public:
 
 private:
   const PointRange& m_points;
-  const TriangleRange& m_triangles;
+  const PolygonRange& m_polygons;
 };
 
 // A model of FaceListGraph with a point map and a contiguous vertex index map.
@@ -171,16 +171,28 @@ public:
   template <class Visitor>
   void for_each_halfedge(Visitor visit) const
   {
-    for (const auto h : halfedges(m_graph))
-      visit(h, index(source(h, m_graph)), index(target(h, m_graph)));
+    std::size_t side = 0;
+    for (const auto f : faces(m_graph)) {
+      const auto first = halfedge(f, m_graph);
+      auto h = first;
+      do {
+        visit(h, side, false);
+        const auto o = opposite(h, m_graph);
+        if (is_border(o, m_graph))
+          visit(o, side, true);
+        ++side;
+        h = next(h, m_graph);
+      } while (h != first);
+    }
   }
 
   template <class Visitor>
   void for_each_face(Visitor visit) const
   {
+    std::size_t side = 0;
     for (const auto f : faces(m_graph)) {
-      const auto h = halfedge(f, m_graph);
-      visit(f, index(source(h, m_graph)), index(target(h, m_graph)));
+      visit(f, side);
+      side += degree(f, m_graph);
     }
   }
 
@@ -193,48 +205,65 @@ private:
   VertexIndexMap m_index;
 };
 
+template <class NamedParameters>
+bool wants_input_index_maps(const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::input_index_maps), false);
+}
+
+// Whether the caller wants to know what became of halfedges or faces.
+template <class NamedParameters>
+bool wants_halfedges(const NamedParameters& np)
+{
+  return wants_input_index_maps(np)
+      || decltype(correspondence(np, internal_np::halfedge_to_halfedge_output_iterator,
+                                 internal_np::halfedge_to_halfedge_map))::is_wanted
+      || decltype(correspondence(np, internal_np::face_to_face_output_iterator,
+                                 internal_np::face_to_face_map))::is_wanted;
+}
+
 // Adds the property maps that tell the indices of vertices and faces in the input.
-template <class Input, class Images, class Mesh, class FaceAt>
-void add_input_index_maps(const Input& input, const Images& images, Mesh& mesh, FaceAt face_at)
+template <class Input, class Images, class Mesh, class FaceOfSide>
+void add_input_index_maps(const Input& input, const Images& images, Mesh& mesh, FaceOfSide face_of_side)
 {
   using size_type = typename Mesh::size_type;
   using Vertex_index = typename Mesh::Vertex_index;
   auto vertex_number = mesh.template add_property_map<Vertex_index, size_type>("v:input_index").first;
-  for (std::size_t i = 0; i < images.size(); ++i)
-    vertex_number[Vertex_index(images[i])] = static_cast<size_type>(i);
+  for (std::size_t i = 0; i < images.vertices.size(); ++i)
+    vertex_number[Vertex_index(images.vertices[i])] = static_cast<size_type>(i);
   auto face_number = mesh.template add_property_map<typename Mesh::Face_index, size_type>("f:input_index").first;
   size_type k = 0;
-  input.for_each_face([&](const auto&, std::size_t i, std::size_t j) { face_number[face_at(i, j)] = k++; });
+  input.for_each_face([&](const auto&, std::size_t side) { face_number[face_of_side(side)] = k++; });
 }
 
-// Tells what became of the elements of the input: images[i] is the index in the mesh of
-// the vertex with index i in the input. Nothing that was not asked for is looked up.
+// Tells what became of the elements of the input, of which `images` knows what is asked for.
 template <class Input, class Images, class Mesh, class NamedParameters>
 void report_input(const Input& input, const Images& images, Mesh& mesh, const NamedParameters& np)
 {
-  const auto vertex_at = [&](std::size_t i) { return typename Mesh::Vertex_index(images[i]); };
-  const auto halfedge_at = [&](std::size_t i, std::size_t j) { return mesh.halfedge(vertex_at(i), vertex_at(j)); };
-  const auto face_at = [&](std::size_t i, std::size_t j) { return mesh.face(halfedge_at(i, j)); };
+  const auto halfedge_of_side = [&](std::size_t i) { return typename Mesh::Halfedge_index(images.halfedges[i]); };
+  const auto face_of_side = [&](std::size_t i) { return mesh.face(halfedge_of_side(i)); };
 
-  if (parameters::choose_parameter(parameters::get_parameter(np, internal_np::input_index_maps), false))
-    add_input_index_maps(input, images, mesh, face_at);
+  if (wants_input_index_maps(np))
+    add_input_index_maps(input, images, mesh, face_of_side);
 
   auto vertex_report = correspondence(np, internal_np::vertex_to_vertex_output_iterator,
                                       internal_np::vertex_to_vertex_map);
   if constexpr (decltype(vertex_report)::is_wanted)
-    input.for_each_vertex([&](const auto& v, std::size_t i) { vertex_report(v, vertex_at(i)); });
+    input.for_each_vertex([&](const auto& v, std::size_t i) {
+      vertex_report(v, typename Mesh::Vertex_index(images.vertices[i]));
+    });
 
   auto halfedge_report = correspondence(np, internal_np::halfedge_to_halfedge_output_iterator,
                                         internal_np::halfedge_to_halfedge_map);
   if constexpr (decltype(halfedge_report)::is_wanted)
-    input.for_each_halfedge([&](const auto& h, std::size_t i, std::size_t j) {
-      halfedge_report(h, halfedge_at(i, j));
+    input.for_each_halfedge([&](const auto& h, std::size_t i, bool is_other_side) {
+      halfedge_report(h, is_other_side ? mesh.opposite(halfedge_of_side(i)) : halfedge_of_side(i));
     });
 
   auto face_report = correspondence(np, internal_np::face_to_face_output_iterator,
                                     internal_np::face_to_face_map);
   if constexpr (decltype(face_report)::is_wanted)
-    input.for_each_face([&](const auto& f, std::size_t i, std::size_t j) { face_report(f, face_at(i, j)); });
+    input.for_each_face([&](const auto& f, std::size_t side) { face_report(f, face_of_side(side)); });
 }
 
 } // namespace internal

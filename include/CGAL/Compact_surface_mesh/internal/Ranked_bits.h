@@ -48,7 +48,12 @@ public:
     m_block_of_one.push_back(num_blocks);
   }
 
+  // whether it has no bits at all
+  bool empty() const { return m_words.empty(); }
+
   std::size_t count() const { return m_count_before.empty() ? 0 : m_count_before.back(); }
+
+  bool operator[](std::size_t i) const { return (m_words[i / 64] >> (i % 64)) & 1; }
 
   // the number of ones before position i
   std::size_t rank(std::size_t i) const

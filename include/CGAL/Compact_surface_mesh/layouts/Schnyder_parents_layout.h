@@ -11,12 +11,22 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
-#include <CGAL/Compact_surface_mesh/internal/Emptied_on_move.h>
+#include <CGAL/Compact_surface_mesh/Input_images.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Mask.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_builder.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_numbering.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_operators.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_records.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_sides.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_triangles.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/around_vertex.h>
 #include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
 #include <CGAL/Schnyder_woods/internal/Shelling.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/use.h>
+
+#include <boost/config.hpp>
 
 #include <array>
 #include <cstddef>
@@ -60,8 +70,9 @@ template <int References = 4, class Index_ = std::uint32_t>
 class Schnyder_parents_layout
 {
   typedef internal::Schnyder_parents_records<References, Index_> Records;
-  typedef internal::Schnyder_parents_operators<Records, Index_, internal::Schnyder_inner_zone<Index_>> Inner;
-  typedef internal::Schnyder_parents_operators<Records, Index_, internal::Schnyder_any_zone<Index_>> Any;
+  typedef internal::Schnyder_parents_operators<Records, Index_, internal::Schnyder_core_zone<Index_>> Core;
+  typedef internal::Schnyder_parents_triangles<Records, Index_> Triangles;
+  typedef internal::Mask<Index_, true> Mask;
 
 public:
   /// the integer type of all indices.
@@ -84,28 +95,37 @@ public:
   Schnyder_parents_layout() = default;
 
   /*!
-  builds the layout of `t` in linear time. The input's order of vertices is not kept.
+  builds the layout of `t`, in the time that the shelling takes, which is nearly linear.
+  The input's order of vertices is not kept.
   \param t the triangulation; it is empty afterwards
-  \param vertex_of_input gets, appended, the index of each vertex in the order of the input
+  \param images tells what becomes of the elements of the input
   \param order in which order the shelling that finds the Schnyder wood takes vertices
   \param seed of `Shelling_order::RANDOM`
-  \throws Mesh_defect_exception if the mesh has more than `max_vertices()` vertices
+  \throws Mesh_defect_exception if the mesh has more than `max_vertices()` vertices, where those
+  count as well that are hidden, but not at apices, and the further sectors of vertices at special edges
   */
-  Schnyder_parents_layout(Closed_triangulation<Index>&& t, std::vector<Index>& vertex_of_input,
+  Schnyder_parents_layout(Closed_triangulation<Index>&& t, Input_images<Index>& images,
                           Shelling_order order = Shelling_order::LAST_IN_FIRST_OUT, unsigned int seed = 0)
   {
-    if (t.num_user_vertices() > max_vertices())
-      throw Mesh_defect_exception(Mesh_defect::too_many_elements, t.num_user_vertices());
-    internal::Schnyder_wood wood(t.table().num_halfedges());
-    for (const auto& root : t.roots())
-      internal::Shelling<Index>(t.table(), root.base, wood, order, seed)([](Index) {});
-    std::vector<Index> number = internal::Schnyder_parents_builder<References, Index>(t, wood, m_records)();
-    m_border = static_cast<Index>(num_vertices() - 3 * t.roots().size());
+    if (t.first_apex() > max_vertices())
+      throw Mesh_defect_exception(Mesh_defect::too_many_elements, t.first_apex());
+    const internal::Schnyder_wood wood = this->wood(t, order, seed);
+    internal::Schnyder_parents_builder<References, Index> builder(t, wood, m_records, m_numbering);
+    builder();
+    const internal::Schnyder_parents_sides<References, Index> sides(t, wood, builder);
+    sides.number_slots(m_records, m_numbering);
+
+    std::vector<Index> halfedges;
+    if (images.wants_halfedges || t.simple().has_hidden())
+      halfedges = sides.halfedges(triangles());
+    std::vector<Index> vertices = builder.release_records_of_vertices();
+    vertices.resize(t.first_copy());
+    for (Index& x : vertices)
+      x = triangles().vertex(x);
+    if (t.simple().has_hidden())
+      m_mask = Mask(triangles(), t, vertices, halfedges);
+    m_mask.write_images(t, std::move(vertices), halfedges, images);
     t = Closed_triangulation<Index>();
-    if (vertex_of_input.empty())
-      vertex_of_input = std::move(number);
-    else
-      vertex_of_input.insert(vertex_of_input.end(), number.begin(), number.end());
   }
 
   /// \name Counts
@@ -113,36 +133,40 @@ public:
   /// @{
 
   /// returns the number of vertices.
-  std::size_t num_vertices() const { return m_records.records.size(); }
+  std::size_t num_vertices() const { return m_mask.empty() ? triangles().num_vertices() : m_mask.num_vertices(); }
   /// returns the number of halfedges.
-  std::size_t num_halfedges() const { return 2 * num_edges(); }
+  std::size_t num_halfedges() const { return m_mask.empty() ? triangles().num_halfedges() : m_mask.num_halfedges(); }
   /// returns the number of edges.
-  // the three vertices around the root face own one edge each, the others three
-  std::size_t num_edges() const { return num_vertices() + 2 * std::size_t(m_border); }
+  std::size_t num_edges() const { return num_halfedges() / 2; }
   /// returns the number of faces.
-  std::size_t num_faces() const { return 2 * (std::size_t(m_border) + (num_vertices() - m_border) / 3); }
+  std::size_t num_faces() const { return m_mask.empty() ? triangles().num_faces() : m_mask.num_faces(); }
   /// @}
 
   /// \name Navigation
-  /// All in constant time.
+  /// All in constant time, but for vertices with several fans, and with special edges of the
+  /// wood: time logarithmic in the number of these.
   /// @{
 
   /// returns the next halfedge counterclockwise around the face of `h`.
   BOOST_FORCEINLINE Index next(Index h) const
   {
-    if (BOOST_UNLIKELY(h >= inner_halfedges()))
-      return next_in_border_zone(h);
-    const auto s = inner().next({ h / 6, static_cast<unsigned>(h % 6) });
-    return halfedge_index(s.x, s.k);
+    if (BOOST_LIKELY(is_in_core(h))) {
+      const auto s = core().next({ h / 6, static_cast<unsigned>(h % 6) });
+      if (BOOST_LIKELY(s.x < m_numbering.core))
+        return 6 * s.x + s.k;
+    }
+    return next_outside(h);
   }
 
   /// returns the halfedge whose next one is `h`.
   BOOST_FORCEINLINE Index prev(Index h) const
   {
-    if (BOOST_UNLIKELY(h >= inner_halfedges()))
-      return prev_in_border_zone(h);
-    const auto s = inner().prev({ h / 6, static_cast<unsigned>(h % 6) });
-    return halfedge_index(s.x, s.k);
+    if (BOOST_LIKELY(is_in_core(h))) {
+      const auto s = core().prev({ h / 6, static_cast<unsigned>(h % 6) });
+      if (BOOST_LIKELY(s.x < m_numbering.core))
+        return 6 * s.x + s.k;
+    }
+    return prev_outside(h);
   }
 
   /// returns the other halfedge of the edge of `h`.
@@ -151,22 +175,28 @@ public:
   /// returns the vertex where `h` starts.
   BOOST_FORCEINLINE Index source(Index h) const
   {
-    return any().source(side(h));
+    if (BOOST_UNLIKELY(!is_in_core(h)))
+      return source_outside(h);
+    return core().source({ h / 6, static_cast<unsigned>(h % 6) });
   }
 
   /// returns the vertex where `h` ends.
   BOOST_FORCEINLINE Index target(Index h) const
   {
-    return any().target(side(h));
+    if (BOOST_UNLIKELY(!is_in_core(h)))
+      return target_outside(h);
+    return core().target({ h / 6, static_cast<unsigned>(h % 6) });
   }
 
-  /// returns the face to the left of `h`.
+  /// returns the face to the left of `h`, `null_index()` on a border.
   BOOST_FORCEINLINE Index face(Index h) const
   {
-    if (BOOST_UNLIKELY(h >= inner_halfedges()))
-      return face_in_border_zone(h);
-    const auto f = inner().face({ h / 6, static_cast<unsigned>(h % 6) });
-    return face_index(f.x, f.owner);
+    if (BOOST_LIKELY(is_in_core(h))) {
+      const auto f = core().face({ h / 6, static_cast<unsigned>(h % 6) });
+      if (BOOST_LIKELY(f.x < m_numbering.core))
+        return 2 * f.x + f.owner;
+    }
+    return face_outside(h);
   }
 
   /// returns the edge of `h`.
@@ -174,40 +204,38 @@ public:
   /// returns the halfedge of `e` that starts at the vertex which owns `e`.
   static Index halfedge_of_edge(Index e) { return 2 * e; }
 
-  /// returns a halfedge whose target is `v`, always the same.
+  /// returns a halfedge whose target is `v`, always the same: a border halfedge if `v` lies on a
+  /// border, `null_index()` if `v` is isolated.
   Index halfedge_of_vertex(Index v) const
   {
-    if (BOOST_LIKELY(v < m_border))
+    if (BOOST_LIKELY(v < m_numbering.core))
       return 6 * v + 1;
-    const auto s = any().border_side(v);
-    return halfedge_index(s.x, s.k);
+    return m_mask.empty() ? triangles().halfedge_of_vertex(v) : m_mask.halfedge_of_vertex(triangles(), v);
   }
 
   /// returns a halfedge whose face is `f`, always the same.
   Index halfedge_of_face(Index f) const
   {
-    if (BOOST_LIKELY(f < 2 * m_border))
+    if (BOOST_LIKELY(f / 2 < m_numbering.core))
       return 6 * (f / 2) + (f & 1 ? 5 : 0);
-    const Index family = border_family((f - 2 * m_border) / 2);
-    if (f & 1) {
-      const auto s = any().border_side(family);
-      return halfedge_index(s.x, s.k);
-    }
-    return halfedge_index(family + 1, 5);
+    return m_mask.empty() ? triangles().halfedge_of_face(f) : m_mask.halfedge_of_face(triangles(), f);
   }
 
   /// returns the halfedge from `u` to `v`, `null_index()` if they are not adjacent.
   Index halfedge(Index u, Index v) const
   {
+    // the numbers of the neighbors of a vertex in the core are those of their records
+    const Index core = m_numbering.core;
+    if (BOOST_UNLIKELY(u >= core && v >= core))
+      return halfedge_outside(u, v);
     if (u == v)
       return null_index();
-    // the idle red parents of border vertices are no neighbors by that edge
-    for (unsigned word = u < m_border ? 0 : 1; word < 3; ++word)
-      if (m_records.parent(u, word) == v)
-        return halfedge_index(u, 2 * word);
-    for (unsigned word = v < m_border ? 0 : 1; word < 3; ++word)
-      if (m_records.parent(v, word) == u)
-        return halfedge_index(v, 2 * word + 1);
+    for (const bool forward : { true, false }) {
+      const Index x = forward ? u : v, y = forward ? v : u;
+      for (unsigned word = x < m_numbering.border ? 0 : 1; word < 3; ++word)
+        if (m_records.parent(x, word) == y)
+          return x < core ? 6 * x + 2 * word + !forward : halfedge_outside(u, v);
+    }
     return null_index();
   }
 
@@ -220,8 +248,8 @@ public:
   template <class Visitor>
   BOOST_FORCEINLINE void for_each_adjacent_vertex(Index v, Visitor&& visit) const
   {
-    if (BOOST_UNLIKELY(v >= m_border)) {
-      for_each_triangle_at_border(v, [&](Index u, Index) { visit(u); });
+    if (BOOST_UNLIKELY(v >= m_numbering.core)) {
+      for_each_adjacent_vertex_outside(v, visit);
       return;
     }
     visit(m_records.red_parent(v));
@@ -232,13 +260,13 @@ public:
     for_each_in_blue(v, visit);
   }
 
-  /// calls `visit(u, w)` for each face (`v`,`u`,`w`), counterclockwise, at `v`, once each, in
-  /// no particular order.
+  /// calls `visit(u, w)` for each face at `v`, once each, in no particular order, where `u` follows
+  /// and `w` precedes `v` in the face counterclockwise: a triangle is (`v`,`u`,`w`).
   template <class Visitor>
   BOOST_FORCEINLINE void for_each_incident_triangle(Index v, Visitor&& visit) const
   {
-    if (BOOST_UNLIKELY(v >= m_border)) {
-      for_each_triangle_at_border(v, visit);
+    if (BOOST_UNLIKELY(v >= m_numbering.core)) {
+      for_each_incident_triangle_outside(v, visit);
       return;
     }
     const Index red = m_records.red_parent(v), blue = m_records.blue_parent(v), black = m_records.black_parent(v);
@@ -265,7 +293,7 @@ public:
   {
     Index d = 0;
     const auto count = [&d](Index) { ++d; };
-    if (BOOST_UNLIKELY(v >= m_border)) {
+    if (BOOST_UNLIKELY(v >= m_numbering.core)) {
       for_each_adjacent_vertex(v, count);
       return d;
     }
@@ -274,12 +302,13 @@ public:
     return d + 3 + m_records.number_of_children(v);
   }
 
-  /// returns the vertices of `f` counterclockwise, from the target of `halfedge_of_face(f)` on.
+  /// returns the vertices of `f` counterclockwise, from the target of `halfedge_of_face(f)` on;
+  /// of a polygon, only the first three.
   std::array<Index, 3> vertices_of_face(Index f) const
   {
     const Index x = f / 2;
-    if (BOOST_UNLIKELY(x >= m_border))
-      return vertices_of_border_face(f);
+    if (BOOST_UNLIKELY(x >= m_numbering.core))
+      return vertices_of_face_outside(f);
     if (f & 1)
       return { x, m_records.is_leaf(x) ? m_records.blue_parent(x) : m_records.last_child(x),
                m_records.black_parent(x) };
@@ -296,13 +325,15 @@ public:
   std::vector<std::pair<std::string, std::size_t>> memory() const
   {
     return { { "records", m_records.records.capacity() * sizeof(typename Records::Record) },
-             { "long lists", m_records.long_lists.capacity() * sizeof(typename Records::Long_lists) } };
+             { "long lists", m_records.long_lists.capacity() * sizeof(typename Records::Long_lists) },
+             { "borders and handles", m_numbering.bytes() },
+             { "mask of polygons", m_mask.bytes() } };
   }
 
   /// @}
 
 private:
-  // The lists of an inner vertex v: in-black counterclockwise, in-blue clockwise, both from
+  // The lists of a vertex v in the core: in-black counterclockwise, in-blue clockwise, both from
   // the red edge on, and the red children counterclockwise. Each loop calls its visitor in
   // one place: with two, compilers stop inlining it.
   template <class Visitor>
@@ -310,7 +341,7 @@ private:
   {
     if (!m_records.in_black(v))
       return;
-    const auto op = inner();
+    const auto op = core();
     for (Index u = op.after_red(v);; u = op.next_in_black(u)) {
       visit(u);
       if (!m_records.more_black(u))
@@ -323,7 +354,7 @@ private:
   {
     if (!m_records.in_blue(v))
       return;
-    for (Index u = inner().before_red(v);; u = m_records.next_in_blue(u)) {
+    for (Index u = core().before_red(v);; u = m_records.next_in_blue(u)) {
       visit(u);
       if (!m_records.more_blue(u))
         return;
@@ -340,79 +371,72 @@ private:
       visit(u);
   }
 
-  Inner inner() const { return Inner{ m_records, {} }; }
-  Any any() const { return Any{ m_records, { m_border } }; }
-
-  Index inner_halfedges() const { return 6 * m_border; }
-  Index border_family(Index i) const { return m_border + 3 * i; }
-
-  // From halfedges to sides and back. Of the three vertices around an apex the first one
-  // owns no edge, the second its blue and its black one, the third its blue one.
-  typename Any::Side side(Index h) const
+  static internal::Schnyder_wood wood(const Closed_triangulation<Index>& t, Shelling_order order, unsigned int seed)
   {
-    if (BOOST_LIKELY(h < inner_halfedges()))
-      return { h / 6, static_cast<unsigned>(h % 6) };
-    const Index e = (h - inner_halfedges()) / 2, i = e % 3;
-    const unsigned k = i == 1 ? 4 : 2;
-    return { border_family(e / 3) + (i == 2 ? 2 : 1), k | static_cast<unsigned>(h & 1) };
+    internal::Schnyder_wood wood(t.table().num_halfedges());
+    internal::Shelling<Index> shelling(t.table(), wood, order, seed);
+    std::vector<Index> further_roots;
+    for (const auto& component : t.components()) {
+      further_roots.clear();
+      for (std::size_t i = component.first_root + 1; i < component.end_root; ++i)
+        further_roots.push_back(Corner_table<Index>::prev(t.roots()[i].base));
+      const bool is_simple = shelling(t.roots()[component.first_root].base, further_roots, component.num_faces, [](Index) {});
+      CGAL_assertion(is_simple);
+      CGAL_USE(is_simple);
+    }
+    return wood;
   }
 
-  Index halfedge_index(Index x, unsigned k) const
+  Core core() const { return Core{ m_records, {} }; }
+  Triangles triangles() const { return Triangles{ m_records, m_numbering }; }
+  bool is_in_core(Index h) const { return h < 6 * m_numbering.core; }
+
+  BOOST_NOINLINE Index next_outside(Index h) const
   {
-    if (BOOST_LIKELY(x < m_border))
-      return 6 * x + k;
-    const Index family = (x - m_border) / 3, i = (x - m_border) % 3;
-    const Index e = i == 2 ? 2 : (k >= 4 ? 1 : 0);
-    return inner_halfedges() + 6 * family + 2 * e + (k & 1);
+    return m_mask.empty() ? triangles().next(h) : m_mask.next(triangles(), h);
+  }
+  BOOST_NOINLINE Index prev_outside(Index h) const
+  {
+    return m_mask.empty() ? triangles().prev(h) : m_mask.prev(triangles(), h);
+  }
+  BOOST_NOINLINE Index source_outside(Index h) const
+  {
+    return m_mask.empty() ? triangles().source(h) : m_mask.source(triangles(), h);
+  }
+  BOOST_NOINLINE Index target_outside(Index h) const
+  {
+    return m_mask.empty() ? triangles().target(h) : m_mask.target(triangles(), h);
+  }
+  BOOST_NOINLINE Index face_outside(Index h) const
+  {
+    return m_mask.empty() ? triangles().face(h) : m_mask.face(triangles(), h);
+  }
+  BOOST_NOINLINE Index halfedge_outside(Index u, Index v) const
+  {
+    return m_mask.empty() ? triangles().halfedge(u, v) : m_mask.halfedge(triangles(), u, v);
   }
 
-  // A family around an apex owns two faces: the right one of its second vertex's black
-  // edge, and the user's face that holds the apex.
-  Index face_index(Index x, unsigned owner) const
+  BOOST_NOINLINE std::array<Index, 3> vertices_of_face_outside(Index f) const
   {
-    if (BOOST_LIKELY(x < m_border))
-      return 2 * x + owner;
-    return 2 * (m_border + (x - m_border) / 3) + (owner == Any::hole ? 1 : 0);
-  }
-
-  BOOST_NOINLINE Index next_in_border_zone(Index h) const
-  {
-    const auto s = any().next(side(h));
-    return halfedge_index(s.x, s.k);
-  }
-
-  BOOST_NOINLINE Index prev_in_border_zone(Index h) const
-  {
-    const auto s = any().prev(side(h));
-    return halfedge_index(s.x, s.k);
-  }
-
-  BOOST_NOINLINE Index face_in_border_zone(Index h) const
-  {
-    const auto f = any().face(side(h));
-    return face_index(f.x, f.owner);
-  }
-
-  BOOST_NOINLINE std::array<Index, 3> vertices_of_border_face(Index f) const
-  {
-    const Index h = halfedge_of_face(f), g = next(h);
-    return { target(h), target(g), source(h) };
+    const Index h = halfedge_of_face(f), g = next(h), k = next(g);
+    return { target(h), target(g), target(k) };
   }
 
   template <class Visitor>
-  BOOST_NOINLINE void for_each_triangle_at_border(Index v, Visitor&& visit) const
+  BOOST_NOINLINE void for_each_adjacent_vertex_outside(Index v, Visitor&& visit) const
   {
-    const Index first = halfedge_of_vertex(v) ^ 1;
-    Index h = first;
-    do {
-      const Index following = prev(h) ^ 1;
-      visit(target(h), target(following));
-      h = following;
-    } while (h != first);
+    internal::for_each_halfedge_into(*this, v, [&](Index h) { visit(source(h)); });
+  }
+
+  template <class Visitor>
+  BOOST_NOINLINE void for_each_incident_triangle_outside(Index v, Visitor&& visit) const
+  {
+    internal::for_each_corner_at(*this, v, visit);
   }
 
   Records m_records;
-  internal::Emptied_on_move<Index> m_border; // the first vertex around an apex
+  internal::Schnyder_parents_numbering<Index> m_numbering;
+  Mask m_mask;
 };
 
 } // namespace CGAL

@@ -15,25 +15,17 @@
 namespace CGAL {
 namespace internal {
 
-// Where all neighbors of a record are ordinary vertices.
+// The zones of a mesh differ in the answers to what the operators ask below. In the core, all
+// neighbors of a record are ordinary vertices.
 template <class Index>
-struct Schnyder_inner_zone
+struct Schnyder_core_zone
 {
   static constexpr bool has_holes = false;
   static bool on_border(Index) { return false; }
   static Index vertex(Index x) { return x; }
   static Index last_sector(Index x) { return x; }
-};
-
-// All records, those of vertices around an apex included; these start at `border`.
-template <class Index>
-struct Schnyder_any_zone
-{
-  static constexpr bool has_holes = true;
-  Index border;
-  bool on_border(Index x) const { return x >= border; }
-  static Index vertex(Index x) { return x; }
-  static Index last_sector(Index x) { return x; }
+  static Index next_fan(Index x) { return x; }
+  static Index prev_fan(Index x) { return x; }
 };
 
 /*
@@ -50,11 +42,15 @@ color); then every face has each label once, and
 The side from label 1 to label 2 is a black edge, or a blue one the other way round; all
 flags of the records say which. So two of three vertices of a face give the third.
 
-A record is a sector of its vertex: on surfaces of genus 0 a vertex has one sector. What
-differs between zones of the mesh is said by Zone: which vertices surround a hidden
-apex, the vertex of a sector, and the last sector of a vertex. The sides around an apex
+A record is a sector of its vertex: special edges of the wood part the edges around their ends
+into sectors, and a vertex without special edges has one. The first sector starts behind the
+red edge out, counterclockwise, and it alone has this edge and A(x); x is the first sector where
+the operators say vertex. Parents name the sector that an edge enters, and lists the one that
+it leaves. What differs between zones of the mesh is said by Zone: which vertices surround
+a hidden apex, the vertex of a sector, and the last sector of a vertex. The sides around an apex
 face its hole: they are looked up by their heads (border_side), and next() and prev() go
-along the apex's family of red children, which is cyclic.
+along the apex's family of red children, which is cyclic; at a vertex with several fans they
+go from one fan to the next.
 */
 template <class Records, class Index, class Zone>
 struct Schnyder_parents_operators
@@ -141,15 +137,15 @@ struct Schnyder_parents_operators
     }
   }
 
-  Index source(Side s) const { return s.k & 1 ? r.parent(s.x, s.k / 2) : zone.vertex(s.x); }
-  Index target(Side s) const { return s.k & 1 ? zone.vertex(s.x) : r.parent(s.x, s.k / 2); }
+  Index source(Side s) const { return zone.vertex(s.k & 1 ? r.parent(s.x, s.k / 2) : s.x); }
+  Index target(Side s) const { return zone.vertex(s.k & 1 ? s.x : r.parent(s.x, s.k / 2)); }
 
   BOOST_FORCEINLINE Side next(Side s) const
   {
     const Index x = s.x;
     Index head;
     if (Zone::has_holes && faces_hole(s, head))
-      return border_side(succ(head));
+      return border_side(succ(zone.next_fan(head)));
     switch (s.k) {
     case 0:
       return r.is_first(x) ? Side{ r.red_parent(x), 2 } : Side{ x - 1, 1 };
@@ -173,7 +169,7 @@ struct Schnyder_parents_operators
     const Index x = s.x;
     Index head;
     if (Zone::has_holes && faces_hole(s, head))
-      return border_side(pred(head));
+      return border_side(zone.prev_fan(pred(head)));
     switch (s.k) {
     case 0:
       return r.in_black(x) ? Side{ after_red(x), 4 } : Side{ x, 3 };

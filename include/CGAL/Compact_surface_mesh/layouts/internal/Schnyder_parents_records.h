@@ -25,7 +25,7 @@ namespace CGAL {
 namespace internal {
 
 /*
-The arrays of the parents layout: one record per vertex. In the words of a record the
+The arrays of the parents layout: one record per vertex, or per sector of a vertex. In the words of a record the
 lower four bits are flags, the others an index.
 
   word | index                               | flags
@@ -37,6 +37,9 @@ lower four bits are flags, the others an index.
        |                                     | more_in_black: not last of Q's list
        |                                     | more_in_blue: not last of W's list
     2  | black parent Q                      | far: a leaf whose word 3 is as under 15
+       |                                     | has_sectors: the vertex has further records
+       |                                     | irregular: see Schnyder_parents_numbering
+       |                                     | has_fans: the vertex has further fans
     3  | number of red children              | that number:
        |   0: last in-black, else first in-blue
        |   1..14: first red child
@@ -64,7 +67,7 @@ public:
   enum : unsigned { flag_bits = 4, flag_mask = 15 };
   enum : Index { first = 1, last = 2, first_in_black = 4, has_in_blue = 8 };   // word 0
   enum : Index { has_in_black = 1, more_in_black = 2, more_in_blue = 4 };      // word 1
-  enum : Index { far = 1 };                                                    // word 2
+  enum : Index { far = 1, has_sectors = 2, irregular = 4, has_fans = 8 };     // word 2
   enum : unsigned { many = 15 };                                               // word 3
 
   static constexpr std::size_t max_walk = 32;
@@ -96,6 +99,10 @@ public:
   bool in_black(Index x) const { return records[x].word[1] & has_in_black; }
   bool more_black(Index x) const { return records[x].word[1] & more_in_black; }
   bool more_blue(Index x) const { return records[x].word[1] & more_in_blue; }
+
+  bool has_more_sectors(Index x) const { return records[x].word[2] & has_sectors; }
+  bool is_irregular(Index x) const { return records[x].word[2] & irregular; }
+  bool has_more_fans(Index x) const { return records[x].word[2] & has_fans; }
 
   unsigned child_count(Index x) const { return static_cast<unsigned>(records[x].word[3]) & flag_mask; }
   bool is_leaf(Index x) const { return child_count(x) == 0; }

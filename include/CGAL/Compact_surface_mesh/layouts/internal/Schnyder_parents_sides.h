@@ -1,0 +1,122 @@
+// Copyright (c) 2026  The Compact_surface_mesh authors.
+// All rights reserved.
+//
+// This file is part of Compact_surface_mesh, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_SCHNYDER_PARENTS_SIDES_H
+#define CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_SCHNYDER_PARENTS_SIDES_H
+
+#include <CGAL/license/Compact_surface_mesh.h>
+
+#include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_builder.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_numbering.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_triangles.h>
+#include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace internal {
+
+// What becomes of the halfedges of a closed triangulation in the parents layout, whose records are written.
+template <int References, class Index>
+class Schnyder_parents_sides
+{
+  typedef Schnyder_parents_records<References, Index> Records;
+  typedef Schnyder_parents_numbering<Index> Numbering;
+  typedef Schnyder_parents_builder<References, Index> Builder;
+  typedef Schnyder_parents_triangles<Records, Index> Triangles;
+  typedef typename Triangles::Side Side;
+  typedef Corner_table<Index> Table;
+
+public:
+  Schnyder_parents_sides(const Closed_triangulation<Index>& t, const Schnyder_wood& wood, const Builder& builder)
+    : m_triangulation(t), m_table(t.table()), m_wood(wood), m_builder(builder)
+  {}
+
+  // Finds the slots that are dead, and the copies of special edges.
+  void number_slots(Records& records, Numbering& numbering) const
+  {
+    std::vector<Index> edges, faces, owners;
+    const auto bury = [&](Index x, unsigned k) {
+      owners.push_back(x);
+      edges.push_back(numbering.edge_slot(x, k));
+    };
+    for (const auto& component : m_triangulation.components()) {
+      const Index base = m_triangulation.roots()[component.first_root].base;
+      const Index v0 = m_builder.records_of_vertices()[m_table.target(base)];
+      const Index v1 = m_builder.record_of_corner(base);
+      bury(v0, 2);
+      bury(v0, 4);
+      bury(v1, 4);
+      for (const Index x : { v0, v1 })
+        faces.push_back(numbering.face_slot(x, 1));
+    }
+    for (std::size_t i = 0; i < m_table.num_halfedges(); ++i) {
+      const Index h = static_cast<Index>(i), o = m_table.opposite(h);
+      if (!m_wood.is_special(h) || o < h)
+        continue;
+      Side first = side(h), second = side(o);
+      if (numbering.edge_slot(second.x, second.k) < numbering.edge_slot(first.x, first.k))
+        std::swap(first, second);
+      const Index slot = numbering.edge_slot(first.x, first.k), other = numbering.edge_slot(second.x, second.k);
+      const unsigned char live = first.k & 1, other_live = second.k & 1;
+      numbering.copies.push_back({ slot, other, live, other_live });
+      numbering.copies.push_back({ other, slot, other_live, live });
+      owners.push_back(first.x);
+      bury(second.x, second.k);
+    }
+    std::sort(numbering.copies.begin(), numbering.copies.end(),
+              [](const auto& a, const auto& b) { return a.slot < b.slot; });
+    numbering.copies.shrink_to_fit();
+    numbering.edges = filled(numbering.num_edge_slots(), edges);
+    numbering.faces = filled(numbering.num_face_slots(), faces);
+    for (const Index x : owners)
+      records.records[x].word[2] |= Records::irregular;
+  }
+
+  // The number of each halfedge of the triangulation but those at apices, which get null.
+  std::vector<Index> halfedges(const Triangles& triangles) const
+  {
+    std::vector<Index> result(m_table.num_halfedges(), Table::null());
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      const Index h = static_cast<Index>(i);
+      if ((std::max)(m_table.source(h), m_table.target(h)) < m_triangulation.first_apex())
+        result[h] = triangles.halfedge(side(h));
+    }
+    return result;
+  }
+
+private:
+  // The side of h in the copy of its edge that bounds its face.
+  Side side(Index h) const
+  {
+    const Index corner = m_wood.is_outgoing(h) ? h : m_table.next(h);
+    const unsigned back = m_wood.is_outgoing(h) ? 0 : 1;
+    if (m_wood.color(h) == red) // between the first and the last sector
+      return { m_builder.records_of_vertices()[m_table.vertex(corner)], back };
+    return { m_builder.record_of_corner(corner), (m_wood.color(h) == blue ? 2 : 4) + back };
+  }
+
+  static Filled_slots<Index> filled(std::size_t num_slots, std::vector<Index>& dead)
+  {
+    std::sort(dead.begin(), dead.end());
+    return Filled_slots<Index>(num_slots, std::move(dead));
+  }
+
+  const Closed_triangulation<Index>& m_triangulation;
+  const Table& m_table;
+  const Schnyder_wood& m_wood;
+  const Builder& m_builder;
+};
+
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_SCHNYDER_PARENTS_SIDES_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026  The Compact_surface_mesh authors.
+// All rights reserved.
+//
+// This file is part of Compact_surface_mesh, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_SCHNYDER_SECTORS_H
+#define CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_SCHNYDER_SECTORS_H
+
+#include <CGAL/license/Compact_surface_mesh.h>
+
+#include <CGAL/Compact_surface_mesh/Corner_table.h>
+#include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
+
+#include <boost/config.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace internal {
+
+// The sectors of the vertices of a wood: what the special edges at a vertex and its red edge out
+// part. The first one, counterclockwise behind the red edge, has the name of its vertex; further
+// ones have the names from the number of vertices on, those of a vertex in counterclockwise order.
+template <class Index>
+class Schnyder_sectors
+{
+  typedef Corner_table<Index> Table;
+
+public:
+  Schnyder_sectors() = default;
+
+  // `red_edge` is the halfedge out of each vertex that is red; apices, which follow the
+  // other vertices, have none.
+  Schnyder_sectors(const Table& table, const Schnyder_wood& wood, const std::vector<Index>& red_edge)
+    : m_num_vertices(red_edge.size())
+  {
+    for (std::size_t h = 0; h < table.num_halfedges(); ++h)
+      if (BOOST_UNLIKELY(wood.is_special(h)))
+        m_multiple.push_back(table.source(static_cast<Index>(h)));
+    if (m_multiple.empty())
+      return;
+    std::sort(m_multiple.begin(), m_multiple.end());
+    m_multiple.erase(std::unique(m_multiple.begin(), m_multiple.end()), m_multiple.end());
+    m_is_multiple.assign(table.num_vertices(), false);
+    for (const Index v : m_multiple) {
+      m_is_multiple[v] = true;
+      Index name = v;
+      Index h = red_edge[v];
+      do {
+        if (wood.is_special(h)) {
+          name = static_cast<Index>(m_num_vertices + m_vertex_of_further.size());
+          m_vertex_of_further.push_back(v);
+        }
+        m_sector_of_corner.emplace_back(h, name);
+        h = table.next_around_source(h);
+      } while (h != red_edge[v]);
+    }
+    std::sort(m_sector_of_corner.begin(), m_sector_of_corner.end());
+  }
+
+  // The vertices with several sectors.
+  const std::vector<Index>& multiple_vertices() const { return m_multiple; }
+
+  std::size_t num_further() const { return m_vertex_of_further.size(); }
+  Index vertex_of_further(Index name) const { return m_vertex_of_further[name - m_num_vertices]; }
+
+  // The sector in which corner c is.
+  Index sector(const Table& table, Index c) const
+  {
+    const Index v = table.vertex(c);
+    if (BOOST_LIKELY(m_is_multiple.empty() || !m_is_multiple[v]))
+      return v;
+    return std::lower_bound(m_sector_of_corner.begin(), m_sector_of_corner.end(), std::make_pair(c, Index(0)))->second;
+  }
+
+private:
+  std::size_t m_num_vertices = 0;
+  std::vector<Index> m_multiple, m_vertex_of_further;
+  std::vector<bool> m_is_multiple; // empty if no vertex is
+  std::vector<std::pair<Index, Index>> m_sector_of_corner; // of multiple vertices
+};
+
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_SCHNYDER_SECTORS_H

@@ -1,0 +1,45 @@
+// Copyright (c) 2026  The Compact_surface_mesh authors.
+// All rights reserved.
+//
+// This file is part of Compact_surface_mesh, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_AROUND_VERTEX_H
+#define CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_AROUND_VERTEX_H
+
+#include <CGAL/license/Compact_surface_mesh.h>
+
+namespace CGAL {
+namespace internal {
+
+// The stars of a layout by its operators, one after the other: right everywhere, on borders and
+// at polygons too.
+
+template <class Layout, class Index, class Visitor>
+void for_each_halfedge_into(const Layout& layout, Index v, Visitor&& visit)
+{
+  const Index first = layout.halfedge_of_vertex(v);
+  if (first == Layout::null_index())
+    return;
+  Index h = first;
+  do {
+    visit(h);
+    h = layout.opposite(layout.next(h));
+  } while (h != first);
+}
+
+// Calls visit(u, w) for each face at v, where u follows and w precedes v.
+template <class Layout, class Index, class Visitor>
+void for_each_corner_at(const Layout& layout, Index v, Visitor&& visit)
+{
+  for_each_halfedge_into(layout, v, [&](Index h) {
+    if (layout.face(h) != Layout::null_index())
+      visit(layout.target(layout.next(h)), layout.source(h));
+  });
+}
+
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_AROUND_VERTEX_H
