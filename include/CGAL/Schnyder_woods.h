@@ -16,6 +16,8 @@
 #include <CGAL/Schnyder_woods/Extremal_wood.h>
 #include <CGAL/Schnyder_woods/Schnyder_wood_rules.h>
 #include <CGAL/Schnyder_woods/Shelling_order.h>
+#include <CGAL/Schnyder_woods/cut_graph.h>
+#include <CGAL/Schnyder_woods/cut_graph_loops.h>
 #include <CGAL/Schnyder_woods/extremal_schnyder_wood.h>
 #include <CGAL/Schnyder_woods/g_schnyder_wood.h>
 #include <CGAL/Schnyder_woods/is_schnyder_wood.h>
