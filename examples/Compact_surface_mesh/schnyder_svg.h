@@ -30,6 +30,27 @@ struct Svg_point
   double x, y;
 };
 
+// Starts a picture, with the styles of what is drawn.
+inline void write_start(std::ostream& out, double width, double height)
+{
+  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << width << ' ' << height
+      << "\">\n<style>\n"
+         "line { stroke-width: 1.5 }\n"
+         ".outer { stroke: #bbb; fill: none }\n"
+         ".blue { stroke: #1f5fc4; fill: #1f5fc4 }\n"
+         ".black { stroke: #222; fill: #222 }\n"
+         ".red { stroke: #d03030; fill: #d03030 }\n"
+         "circle { fill: white; stroke: #222 }\n"
+         "</style>\n";
+}
+
+// The style of an edge with this color, -1 for those of the root face.
+inline const char* kind_of_color(int color)
+{
+  const char* const kinds[] = { "outer", "blue", "black", "red" };
+  return kinds[color + 1];
+}
+
 inline void write_line(std::ostream& out, Svg_point a, Svg_point b, const char* kind)
 {
   out << "<line class=\"" << kind << "\" x1=\"" << a.x << "\" y1=\"" << a.y << "\" x2=\"" << b.x << "\" y2=\"" << b.y
@@ -71,23 +92,14 @@ void write_schnyder_wood(std::ostream& out, const FaceGraph& g)
     return Svg_point{ margin + side * (to_right + to_top / 2), margin + height * (1 - to_top) };
   };
 
-  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << side + 2 * margin << ' ' << height + 2 * margin
-      << "\">\n<style>\n"
-         "line { stroke-width: 1.5 }\n"
-         ".outer { stroke: #bbb; fill: none }\n"
-         ".blue { stroke: #1f5fc4; fill: #1f5fc4 }\n"
-         ".black { stroke: #222; fill: #222 }\n"
-         ".red { stroke: #d03030; fill: #d03030 }\n"
-         "circle { fill: white; stroke: #222 }\n"
-         "</style>\n";
-  const char* const kinds[] = { "blue", "black", "red" };
+  write_start(out, side + 2 * margin, height + 2 * margin);
   for (const auto e : edges(g)) {
     const halfedge_descriptor h = halfedge(e, g), along = get(outgoing, h) ? h : opposite(h, g);
     const Svg_point a = place(source(along, g)), b = place(target(along, g));
     const int c = get(color, h);
-    write_line(out, a, b, c < 0 ? "outer" : kinds[c]);
+    write_line(out, a, b, kind_of_color(c));
     if (c >= 0)
-      write_arrow(out, a, b, kinds[c]);
+      write_arrow(out, a, b, kind_of_color(c));
   }
   for (const auto v : vertices(g))
     out << "<circle cx=\"" << place(v).x << "\" cy=\"" << place(v).y << "\" r=\"3\"/>\n";

@@ -54,15 +54,19 @@ if(COMPACT_SURFACE_MESH_BUILD_EXAMPLES)
     COMMAND "${package_dir}/scripts/write_sphere" 6 4 "${scratch_dir}/small_sphere.off")
   set_tests_properties(example.sphere example.small_sphere PROPERTIES FIXTURES_SETUP spheres)
 
-  foreach(program IN ITEMS csm_first_program schnyder_wood_example)
+  foreach(program IN ITEMS csm_first_program g_schnyder_wood_example schnyder_wood_example)
     add_test(NAME example.${program} COMMAND ${program})
   endforeach()
   add_test(NAME example.compact_mesh_report
     COMMAND compact_mesh_report "${scratch_dir}/sphere.off" --layout all)
   add_test(NAME example.compact_mesh_report_draws
     COMMAND compact_mesh_report "${scratch_dir}/small_sphere.off" --svg "${scratch_dir}/wood.svg")
-  set_tests_properties(example.compact_mesh_report example.compact_mesh_report_draws PROPERTIES
-    FIXTURES_REQUIRED spheres)
+  add_test(NAME example.g_schnyder_wood_example_draws
+    COMMAND g_schnyder_wood_example 7 4 "${scratch_dir}/torus.svg")
+  add_test(NAME example.cut_graph_example
+    COMMAND cut_graph_example "${scratch_dir}/small_sphere.off" "${scratch_dir}/cut_graph.ply")
+  set_tests_properties(example.compact_mesh_report example.compact_mesh_report_draws example.cut_graph_example
+    PROPERTIES FIXTURES_REQUIRED spheres)
 endif()
 
 # The manual builds, and any warning fails.

@@ -12,6 +12,7 @@
 #include "generated_surfaces.h"
 #include "test_scale.h"
 
+#include <CGAL/Compact_surface_mesh.h>
 #include <CGAL/Schnyder_woods/cut_graph.h>
 #include <CGAL/Schnyder_woods/cut_graph_loops.h>
 #include <CGAL/Schnyder_woods/g_schnyder_wood.h>
@@ -489,6 +490,7 @@ TEST(Cut_graphs, of_real_meshes_are_short)
     Cut cut(mesh);
     expect_cut_graph(cut, parameters::default_values());
     expect_disk_along_seams(mesh);
+    expect_disk_along_seams(CGAL::Compact_surface_mesh<Surface_mesh::Point>(mesh));
     const double length = cut.length();
     std::cout << std::setw(20) << name << std::setw(7) << mesh.number_of_vertices() << std::setw(4)
               << cut.loops.size() / 2;

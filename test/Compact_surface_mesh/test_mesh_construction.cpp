@@ -349,6 +349,27 @@ TYPED_TEST(Mesh_construction, refuses_what_is_no_oriented_manifold)
   EXPECT_EQ(defect_of<Mesh>(7, faces), Found(D::nonmanifold_vertex, 3));
 }
 
+TYPED_TEST(Mesh_construction, refuses_vertex_index_maps_that_are_no_numbering)
+{
+  using Mesh = typename TestFixture::Mesh;
+  Surface_mesh graph = this->source;
+  const Surface_mesh::Vertex_index isolated = graph.add_vertex(Point(0, 0, 0));
+  auto index = graph.add_property_map<Surface_mesh::Vertex_index, std::size_t>("v:index").first;
+  for (const auto v : graph.vertices())
+    index[v] = v;
+  EXPECT_EQ(Mesh(graph, parameters::vertex_index_map(index)).number_of_vertices(), graph.number_of_vertices());
+  for (const std::size_t wrong : { std::size_t(0), std::size_t(graph.number_of_vertices()), std::size_t(-1) }) {
+    index[isolated] = wrong;
+    try {
+      const Mesh mesh(graph, parameters::vertex_index_map(index));
+      ADD_FAILURE() << "nothing was thrown";
+    } catch (const CGAL::Mesh_defect_exception& e) {
+      EXPECT_EQ(e.defect(), CGAL::Mesh_defect::wrong_vertex_index);
+      EXPECT_EQ(e.element(), std::size_t(isolated));
+    }
+  }
+}
+
 TYPED_TEST(Mesh_construction, that_fails_leaves_the_target_as_it_was)
 {
   using Mesh = typename TestFixture::Mesh;

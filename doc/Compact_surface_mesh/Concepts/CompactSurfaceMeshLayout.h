@@ -56,15 +56,17 @@ static std::size_t max_vertices();
 /// @{
 
 /*!
-builds the layout of the closed triangulation `t`, consuming it, and appends to
-`vertex_of_input` for every vertex of the user's, in the order of the input,
-the index of that vertex in this layout.
+builds the layout of the mesh that `t` is made of, consuming `t`. All that is hidden in `t`
+remains so: the elements of the layout are those of the user's mesh.
+
+Writes to `images` the index in this layout of each vertex of the input, in its order; and
+of each halfedge that has a face, if `images.wants_halfedges` is set.
 
 \throws CGAL::Mesh_defect_exception if the mesh has too many elements for
-`Index`; `vertex_of_input` is then unchanged.
+`Index`; `images` is then unchanged.
 */
 CompactSurfaceMeshLayout(CGAL::Closed_triangulation<Index>&& t,
-                         std::vector<Index>& vertex_of_input);
+                         CGAL::Input_images<Index>& images);
 
 /// @}
 
@@ -85,7 +87,7 @@ std::size_t num_faces() const;
 /// \name Navigation
 /// @{
 
-/// the next halfedge counterclockwise around the face of `h`.
+/// the next halfedge counterclockwise around the face of `h`, or along its border.
 Index next(Index h) const;
 /// the halfedge whose next one is `h`.
 Index prev(Index h) const;
@@ -95,7 +97,7 @@ Index opposite(Index h) const;
 Index source(Index h) const;
 /// the vertex where `h` ends.
 Index target(Index h) const;
-/// the face to the left of `h`, `null_index()` if there is none.
+/// the face to the left of `h`, `null_index()` on a border.
 Index face(Index h) const;
 /// the edge of `h`.
 Index edge(Index h) const;
@@ -115,20 +117,20 @@ Index halfedge(Index u, Index v) const;
 /// These answer by hand what otherwise takes one operator after the other.
 /// @{
 
-/// calls `visit(u)` for each vertex `u` adjacent to `v`, once each, in no particular order.
+/// calls `visit(u)` for each edge of `v`, with its other end `u`, once each, in no particular order.
 template <class Visitor>
 void for_each_adjacent_vertex(Index v, Visitor&& visit) const;
 
-/// calls `visit(u, w)` for each face (`v`,`u`,`w`), counterclockwise, at `v`, once each, in
-/// no particular order.
+/// calls `visit(u, w)` for each face at `v`, once each, in no particular order, where `u` follows
+/// and `w` precedes `v` in the face counterclockwise: a triangle is (`v`,`u`,`w`).
 template <class Visitor>
 void for_each_incident_triangle(Index v, Visitor&& visit) const;
 
 /// the number of edges at `v`.
 Index degree(Index v) const;
 
-/// the three vertices of face `f` counterclockwise; the first is the target of
-/// `halfedge_of_face(f)`.
+/// the vertices of face `f` counterclockwise, from the target of `halfedge_of_face(f)` on; of a
+/// polygon, only the first three.
 std::array<Index, 3> vertices_of_face(Index f) const;
 
 /// @}

@@ -15,6 +15,7 @@
 #include <CGAL/Compact_surface_mesh/internal/Emptied_on_move.h>
 
 #include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -207,7 +208,10 @@ private:
     std::vector<unsigned char> rank(n, 0);
     std::vector<Index> parent(n);
     std::iota(parent.begin(), parent.end(), Index(0));
-    boost::disjoint_sets<unsigned char*, Index*> sets(rank.data(), parent.data());
+    typedef boost::typed_identity_property_map<Index> Vertex_map;
+    typedef boost::iterator_property_map<unsigned char*, Vertex_map> Rank_map;
+    typedef boost::iterator_property_map<Index*, Vertex_map> Parent_map;
+    boost::disjoint_sets<Rank_map, Parent_map> sets{ Rank_map(rank.data()), Parent_map(parent.data()) };
     for (std::size_t h = 0; h < 3 * m_num_open_faces; ++h) {
       const Index s = table().source(static_cast<Index>(h)), t = table().target(static_cast<Index>(h));
       if (s < t || table().opposite(static_cast<Index>(h)) >= 3 * m_num_open_faces)

@@ -254,7 +254,9 @@ public:
         copy_graph(g, internal::numbered_vertices(g), np);
         return;
       }
-    copy_graph(g, get_initialized_vertex_index_map(g, np), np);
+    const auto index = get_initialized_vertex_index_map(g, np);
+    internal::check_numbering(g, index);
+    copy_graph(g, index, np);
   }
 
   /*!

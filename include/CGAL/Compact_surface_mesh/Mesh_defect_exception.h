@@ -24,6 +24,7 @@ the kind of element that `Mesh_defect_exception::element()` then numbers.
 */
 enum class Mesh_defect
 {
+  wrong_vertex_index,       ///< a vertex index map gives a vertex a number that is too large, or another one's (vertex)
   index_out_of_range,       ///< a face names a vertex that does not exist (face)
   degenerate_face,          ///< a face has fewer than three sides (face)
   not_a_triangle,           ///< a face does not have three vertices, where all must have (face)
@@ -68,6 +69,8 @@ private:
   {
     const std::string e = std::to_string(element);
     switch (defect) {
+    case Mesh_defect::wrong_vertex_index:
+      return "vertex " + e + " has an index that is too large, or that another vertex has";
     case Mesh_defect::index_out_of_range:
       return "face " + e + " names a vertex that does not exist";
     case Mesh_defect::degenerate_face:

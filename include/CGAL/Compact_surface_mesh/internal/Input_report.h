@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
+#include <CGAL/Compact_surface_mesh/Mesh_defect_exception.h>
 #include <CGAL/Compact_surface_mesh/parameters.h>
 
 #include <CGAL/Cartesian_converter.h>
@@ -26,6 +27,7 @@
 #include <iterator>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 
@@ -57,6 +59,22 @@ template <class FaceGraph>
 bool has_removed_vertices(const FaceGraph& g)
 {
   return vertices(g).size() != static_cast<std::size_t>(num_vertices(g));
+}
+
+// Throws Mesh_defect_exception if `index` does not number the vertices of g from 0 without
+// holes. Faces would not show it at isolated vertices.
+template <class FaceGraph, class VertexIndexMap>
+void check_numbering(const FaceGraph& g, const VertexIndexMap& index)
+{
+  std::vector<bool> is_used(static_cast<std::size_t>(std::distance(vertices(g).begin(), vertices(g).end())), false);
+  std::size_t k = 0;
+  for (const auto v : vertices(g)) {
+    const std::size_t i = static_cast<std::size_t>(get(index, v));
+    if (i >= is_used.size() || is_used[i])
+      throw Mesh_defect_exception(Mesh_defect::wrong_vertex_index, k);
+    is_used[i] = true;
+    ++k;
+  }
 }
 
 // Takes the pairs (element of the input, element of the mesh) of one kind to where the

@@ -46,6 +46,8 @@ public:
       while (m_block_of_one.size() * ones_per_sample < m_count_before[block + 1])
         m_block_of_one.push_back(block);
     m_block_of_one.push_back(num_blocks);
+    m_count_before.shrink_to_fit();
+    m_block_of_one.shrink_to_fit();
   }
 
   // whether it has no bits at all

@@ -41,22 +41,28 @@ namespace CGAL {
 /*!
 \ingroup PkgCompactSurfaceMeshRef
 
-The class `Schnyder_parents_layout` stores the connectivity of a triangle mesh in
-four, five or six references per vertex: the parents of the vertex in the three trees of
-a Schnyder wood, and its first child in one of them, whose siblings are numbered
-consecutively. Faces and edges cost nothing: every vertex owns three edges and two faces.
+The class `Schnyder_parents_layout` stores the connectivity of a mesh in four, five or six
+references per vertex: the parents of the vertex in the three trees of a Schnyder wood, and its
+first child in one of them, whose siblings are numbered consecutively. Faces and edges cost
+nothing: every vertex owns three edges and two faces.
 
 With four references, 16 bytes a vertex for a 32-bit `Index`, all queries take constant time.
 Some walk along a list of at most `max_walk_length()` vertices; with five references
 fewer do, with six none.
 
-A mesh with \f$n\f$ vertices has the halfedges \f$6u + k\f$ of vertex \f$u\f$: \f$k = 0, 2, 4\f$ run to
-its red, blue and black parent, \f$k + 1\f$ back. Opposite halfedges differ in the last bit,
-and halfedge \f$h\f$ belongs to edge \f$h/2\f$. The last three vertices surround the face in which
-the wood is rooted; they own the three edges of that face.
+Off borders, special edges of the wood and polygons, in the <em>core</em>, vertex \f$u\f$ has the halfedges
+\f$6u + k\f$: \f$k = 0, 2, 4\f$ run to its red, blue and black parent, \f$k + 1\f$ back, and the faces \f$2u\f$ and
+\f$2u + 1\f$. Everywhere, opposite halfedges differ in the last bit, and halfedge \f$h\f$ belongs to edge
+\f$h/2\f$. What is not in the core comes last in all numberings, and there queries also take time logarithmic in the number of
+components, borders, handles and vertices with several fans.
+
+Borders cost nothing, and neither do their edges; a component costs 15 words at most, a further
+border of a component 31, a handle 62, and a vertex with several fans, for each of them, 22. A polygon has hidden diagonals or a hidden vertex,
+which have records as others have, and then all edges, faces and vertices have a bit with its rank directory.
 
 The structure combines Schnyder's trees (W. Schnyder, <em>Embedding planar graphs on the
-grid</em>, SODA 1990) with the renumbering of L. Castelli Aleardi and O. Devillers, <em>Array-based
+grid</em>, SODA 1990), their generalization to all genera (L. Castelli Aleardi, habilitation, 2022) and the
+renumbering of L. Castelli Aleardi and O. Devillers, <em>Array-based
 compact data structures for triangulations</em>, JoCG 2018, Theorem 5; it stores parents where
 that paper stores neighboring edges, so targets and adjacency take constant time.
 
@@ -143,8 +149,7 @@ public:
   /// @}
 
   /// \name Navigation
-  /// All in constant time, but for vertices with several fans, and with special edges of the
-  /// wood: time logarithmic in the number of these.
+  /// All in constant time, but see above for what is not in the core.
   /// @{
 
   /// returns the next halfedge counterclockwise around the face of `h`.
@@ -224,18 +229,17 @@ public:
   /// returns the halfedge from `u` to `v`, `null_index()` if they are not adjacent.
   Index halfedge(Index u, Index v) const
   {
-    // the numbers of the neighbors of a vertex in the core are those of their records
     const Index core = m_numbering.core;
-    if (BOOST_UNLIKELY(u >= core && v >= core))
+    if (BOOST_UNLIKELY(u >= core || v >= core))
       return halfedge_outside(u, v);
     if (u == v)
       return null_index();
-    for (const bool forward : { true, false }) {
-      const Index x = forward ? u : v, y = forward ? v : u;
-      for (unsigned word = x < m_numbering.border ? 0 : 1; word < 3; ++word)
-        if (m_records.parent(x, word) == y)
-          return x < core ? 6 * x + 2 * word + !forward : halfedge_outside(u, v);
-    }
+    for (unsigned word = 0; word < 3; ++word)
+      if (m_records.parent(u, word) == v)
+        return 6 * u + 2 * word;
+    for (unsigned word = 0; word < 3; ++word)
+      if (m_records.parent(v, word) == u)
+        return 6 * v + 2 * word + 1;
     return null_index();
   }
 
@@ -291,12 +295,10 @@ public:
   /// returns the number of edges at `v`, in time linear in that number.
   Index degree(Index v) const
   {
+    if (BOOST_UNLIKELY(v >= m_numbering.core))
+      return degree_outside(v);
     Index d = 0;
     const auto count = [&d](Index) { ++d; };
-    if (BOOST_UNLIKELY(v >= m_numbering.core)) {
-      for_each_adjacent_vertex(v, count);
-      return d;
-    }
     for_each_in_black(v, count);
     for_each_in_blue(v, count);
     return d + 3 + m_records.number_of_children(v);
@@ -390,6 +392,13 @@ private:
   Core core() const { return Core{ m_records, {} }; }
   Triangles triangles() const { return Triangles{ m_records, m_numbering }; }
   bool is_in_core(Index h) const { return h < 6 * m_numbering.core; }
+
+  BOOST_NOINLINE Index degree_outside(Index v) const
+  {
+    Index d = 0;
+    for_each_adjacent_vertex_outside(v, [&d](Index) { ++d; });
+    return d;
+  }
 
   BOOST_NOINLINE Index next_outside(Index h) const
   {

@@ -92,6 +92,7 @@ public:
   using category = boost::lvalue_property_map_tag;
 
   Dynamic_descriptor_map() = default;
+  explicit Dynamic_descriptor_map(std::size_t n) : m_values(new T[n]()) {}
   Dynamic_descriptor_map(std::size_t n, const T& value) : m_values(new T[n]) { std::fill_n(m_values.get(), n, value); }
 
   reference operator[](const key_type& d) const { return m_values[static_cast<std::ptrdiff_t>(d.idx())]; }
@@ -348,7 +349,14 @@ struct property_map<const CGAL::Compact_surface_mesh<P, L>, Tag>
   namespace CGAL {                                                                          \
   template <class P, class L, class T>                                                      \
   internal::Dynamic_descriptor_map<typename Compact_surface_mesh<P, L>::DESCRIPTOR, T>      \
-  get(const TAG<T>&, const Compact_surface_mesh<P, L>& g, const T& value = T())             \
+  get(const TAG<T>&, const Compact_surface_mesh<P, L>& g)                                   \
+  {                                                                                         \
+    return internal::Dynamic_descriptor_map<                                                \
+             typename Compact_surface_mesh<P, L>::DESCRIPTOR, T>(g.NUM_ELEMENTS());          \
+  }                                                                                         \
+  template <class P, class L, class T>                                                      \
+  internal::Dynamic_descriptor_map<typename Compact_surface_mesh<P, L>::DESCRIPTOR, T>      \
+  get(const TAG<T>&, const Compact_surface_mesh<P, L>& g, const T& value)                   \
   {                                                                                         \
     return { g.NUM_ELEMENTS(), value };                                                     \
   }                                                                                         \

@@ -69,6 +69,7 @@ public:
       represented[vertices[num_users + i]] = stands_for[i] == null() ? null() : vertices[stands_for[i]];
     }
     m_vertices = Ranked_bits(is_user.size(), [&](std::size_t v) { return is_user[v]; });
+    m_stands_for.reserve(stands_for.size());
     for (std::size_t v = 0; v < is_user.size(); ++v)
       if (!is_user[v])
         m_stands_for.push_back(represented[v]);
@@ -207,6 +208,8 @@ private:
   template <class Raw>
   bool is_part(const Raw& raw, Index g) const
   {
+    if (m_stands_for.empty())
+      return false;
     const Index s = raw.source(g), t = raw.target(g);
     return (is_hidden_vertex(s) && stands_for(s) == t) || (is_hidden_vertex(t) && stands_for(t) == s);
   }

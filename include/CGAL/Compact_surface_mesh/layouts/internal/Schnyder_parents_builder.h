@@ -176,6 +176,7 @@ private:
     }
     std::sort(fans.begin(), fans.end());
     fans.erase(std::unique(fans.begin(), fans.end()), fans.end());
+    m_numbering.fans.reserve(fans.size());
     std::vector<Index> dead;
     for (std::size_t i = 0, end; i < fans.size(); i = end) {
       for (end = i; end < fans.size() && fans[end].first == fans[i].first; ++end)
