@@ -48,7 +48,7 @@ std::string layout_names()
 [[noreturn]] void exit_with_usage()
 {
   std::cerr << "compact_mesh_report MESH [--layout NAME|all] [--svg FILE]\n"
-               "  MESH      an OFF, PLY, OBJ or STL file with a closed connected triangle mesh of genus 0,\n"
+               "  MESH      an OFF, PLY, OBJ or STL file with a oriented triangle mesh,\n"
                "            sphere or sphere:N (a sphere of about N vertices),\n"
                "            or random:N[:SEED] (a uniform random triangulation of N vertices)\n"
                "  --layout  which layouts to compare: "

@@ -66,6 +66,10 @@ int main(int argc, char* argv[])
   if (argc > 3) {
     std::ofstream out(argv[3]);
     example::Torus_drawing(grid, mesh, root, color, outgoing, is_special, is_cut).write(out);
+    if (!out.flush()) {
+      std::cerr << "cannot write " << argv[3] << '\n';
+      return EXIT_FAILURE;
+    }
   }
   return is_wood ? EXIT_SUCCESS : EXIT_FAILURE;
 }

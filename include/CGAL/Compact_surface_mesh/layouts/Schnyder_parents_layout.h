@@ -57,8 +57,8 @@ Off borders, special edges of the wood and polygons, in the <em>core</em>, verte
 components, borders, handles and vertices with several fans.
 
 Borders cost nothing, and neither do their edges; a component costs 15 words at most, a further
-border of a component 31, a handle 62, and a vertex with several fans, for each of them, 22. A polygon has hidden diagonals or a hidden vertex,
-which have records as others have, and then all edges, faces and vertices have a bit with its rank directory.
+border of a component 31, a handle 62, and a vertex with \f$k\f$ fans \f$10k - 6\f$. A polygon has hidden diagonals, or a
+hidden vertex, which has a record as others have; then all edges, faces and vertices have a bit with its rank directory.
 
 The structure combines Schnyder's trees (W. Schnyder, <em>Embedding planar graphs on the
 grid</em>, SODA 1990), their generalization to all genera (L. Castelli Aleardi, habilitation, 2022) and the
@@ -180,17 +180,17 @@ public:
   /// returns the vertex where `h` starts.
   BOOST_FORCEINLINE Index source(Index h) const
   {
-    if (BOOST_UNLIKELY(!is_in_core(h)))
-      return source_outside(h);
-    return core().source({ h / 6, static_cast<unsigned>(h % 6) });
+    if (BOOST_LIKELY(is_in_core(h)))
+      return core().source({ h / 6, static_cast<unsigned>(h % 6) });
+    return source_outside(h);
   }
 
   /// returns the vertex where `h` ends.
   BOOST_FORCEINLINE Index target(Index h) const
   {
-    if (BOOST_UNLIKELY(!is_in_core(h)))
-      return target_outside(h);
-    return core().target({ h / 6, static_cast<unsigned>(h % 6) });
+    if (BOOST_LIKELY(is_in_core(h)))
+      return core().target({ h / 6, static_cast<unsigned>(h % 6) });
+    return target_outside(h);
   }
 
   /// returns the face to the left of `h`, `null_index()` on a border.

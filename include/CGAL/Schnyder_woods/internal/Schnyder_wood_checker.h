@@ -15,6 +15,7 @@
 #include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
 
 #include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -251,7 +252,15 @@ private:
   class Merger
   {
   public:
-    explicit Merger(std::size_t size) : m_sets(size), m_num_sets(size) {}
+    explicit Merger(std::size_t size)
+      : m_rank(size, 0), m_parent(size), m_sets(Map(m_rank.begin()), Map(m_parent.begin())), m_num_sets(size)
+    {
+      for (std::size_t i = 0; i < size; ++i)
+        m_sets.make_set(i);
+    }
+
+    Merger(const Merger&) = delete;
+    Merger& operator=(const Merger&) = delete;
 
     void merge(std::size_t i, std::size_t j)
     {
@@ -265,7 +274,11 @@ private:
     std::size_t num_sets() const { return m_num_sets; }
 
   private:
-    boost::disjoint_sets_with_storage<> m_sets;
+    typedef boost::iterator_property_map<std::vector<std::size_t>::iterator,
+                                         boost::typed_identity_property_map<std::size_t>> Map;
+
+    std::vector<std::size_t> m_rank, m_parent;
+    boost::disjoint_sets<Map, Map> m_sets;
     std::size_t m_num_sets;
   };
 
