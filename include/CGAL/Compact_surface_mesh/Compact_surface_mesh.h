@@ -249,14 +249,14 @@ public:
             >
   explicit Compact_surface_mesh(const FaceGraph& g, const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    if constexpr (parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::vertex_index_t>::value)
+    if constexpr (parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::vertex_index_t>::value) {
       if (internal::has_removed_vertices(g)) {
         copy_graph(g, internal::numbered_vertices(g), np);
         return;
       }
-    const auto index = get_initialized_vertex_index_map(g, np);
-    internal::check_numbering(g, index);
-    copy_graph(g, index, np);
+    } else
+      internal::check_numbering(g, parameters::get_parameter(np, internal_np::vertex_index));
+    copy_graph(g, get_initialized_vertex_index_map(g, np), np);
   }
 
   /*!
