@@ -12,6 +12,7 @@
 // functions to take turns.
 
 #include "../../examples/Compact_surface_mesh/comparison.h"
+#include "positive_number.h"
 
 #include <cstddef>
 #include <cstdlib>
@@ -53,9 +54,8 @@ Arguments parsed(int argc, char* argv[])
 {
   Arguments arguments;
   const auto number = [](const char* word) {
-    char* end;
-    const unsigned long n = std::strtoul(word, &end, 10);
-    if (*end != '\0' || n == 0)
+    const unsigned long n = positive_number(word);
+    if (n == 0)
       exit_with_usage();
     return n;
   };

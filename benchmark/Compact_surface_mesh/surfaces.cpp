@@ -12,6 +12,7 @@
 #include "../../examples/Compact_surface_mesh/interleaved_times.h"
 #include "../../examples/Compact_surface_mesh/mesh_kernels.h"
 #include "../../test/Compact_surface_mesh/large_surfaces.h"
+#include "positive_number.h"
 
 #include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
 #include <CGAL/Schnyder_woods/internal/Shelling.h>
@@ -53,9 +54,8 @@ struct Arguments
 Arguments parsed(int argc, char* argv[])
 {
   const auto number = [](const char* word) {
-    char* end;
-    const unsigned long n = std::strtoul(word, &end, 10);
-    if (*end != '\0' || n == 0)
+    const unsigned long n = positive_number(word);
+    if (n == 0)
       exit_with_usage();
     return n;
   };

@@ -160,7 +160,7 @@ public:
 private:
   bool is_split(Index f) const
   {
-    return !m_components.empty() && f < m_num_open_faces && table().vertex(3 * f + 2) >= first_apex();
+    return !m_components.empty() && table().vertex(3 * f + 2) >= first_apex();
   }
 
   // The first fan that is met keeps the vertex.

@@ -13,6 +13,7 @@
 #include <CGAL/Compact_surface_mesh/Mesh_defect_exception.h>
 #include <CGAL/Compact_surface_mesh/internal/Halfedge_matching.h>
 #include <CGAL/Compact_surface_mesh/internal/Polygon_list.h>
+#include <CGAL/Compact_surface_mesh/internal/for_each_side.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -80,8 +81,8 @@ public:
   void pair(std::vector<Index>& opposite) const
   {
     auto number = get(dynamic_halfedge_property_t<Index>(), m_graph);
-    for_each_halfedge([&](std::size_t i, halfedge_descriptor h) { put(number, h, static_cast<Index>(i)); });
-    for_each_halfedge([&](std::size_t i, halfedge_descriptor h) {
+    for_each_side(m_graph, [&](std::size_t i, halfedge_descriptor h) { put(number, h, static_cast<Index>(i)); });
+    for_each_side(m_graph, [&](std::size_t i, halfedge_descriptor h) {
       opposite[i] = has_face_opposite(h) ? get(number, opposite_of(h)) : Polygon_list<Index>::null();
     });
   }
@@ -91,7 +92,7 @@ public:
   std::size_t triangle_at_false_pair(const std::vector<Index>& opposite) const
   {
     std::size_t found = opposite.size();
-    for_each_halfedge([&](std::size_t i, halfedge_descriptor h) {
+    for_each_side(m_graph, [&](std::size_t i, halfedge_descriptor h) {
       if (opposite[i] != Polygon_list<Index>::null() && !has_face_opposite(h))
         found = (std::min)(found, i);
     });
@@ -121,20 +122,6 @@ private:
   }
   bool has_face_opposite(halfedge_descriptor h) const { return !is_border(opposite_of(h), m_graph); }
   halfedge_descriptor opposite_of(halfedge_descriptor h) const { return opposite(h, m_graph); }
-
-  template <class Visitor>
-  void for_each_halfedge(Visitor visit) const
-  {
-    std::size_t i = 0;
-    for (const auto f : faces(m_graph)) {
-      const halfedge_descriptor first = halfedge(f, m_graph);
-      halfedge_descriptor h = first;
-      do {
-        visit(i++, h);
-        h = next(h, m_graph);
-      } while (h != first);
-    }
-  }
 
   const FaceGraph& m_graph;
   VertexIndexMap m_vertex_index;

@@ -13,6 +13,7 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/Mesh_defect_exception.h>
+#include <CGAL/Compact_surface_mesh/internal/for_each_side.h>
 #include <CGAL/Compact_surface_mesh/parameters.h>
 
 #include <CGAL/Cartesian_converter.h>
@@ -189,19 +190,12 @@ public:
   template <class Visitor>
   void for_each_halfedge(Visitor visit) const
   {
-    std::size_t side = 0;
-    for (const auto f : faces(m_graph)) {
-      const auto first = halfedge(f, m_graph);
-      auto h = first;
-      do {
-        visit(h, side, false);
-        const auto o = opposite(h, m_graph);
-        if (is_border(o, m_graph))
-          visit(o, side, true);
-        ++side;
-        h = next(h, m_graph);
-      } while (h != first);
-    }
+    for_each_side(m_graph, [&](std::size_t side, const auto& h) {
+      visit(h, side, false);
+      const auto o = opposite(h, m_graph);
+      if (is_border(o, m_graph))
+        visit(o, side, true);
+    });
   }
 
   template <class Visitor>

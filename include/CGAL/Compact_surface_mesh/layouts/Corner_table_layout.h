@@ -60,9 +60,9 @@ public:
     if (copies.empty())
       return;
     for (Index c = 0; c < m_table.num_halfedges(); ++c) {
-      const std::size_t copy = m_table.vertex(c) - first_copy;
-      if (m_table.vertex(c) >= first_copy && copy < copies.size())
-        m_table.set_vertex(c, copies[copy]);
+      const std::size_t v = m_table.vertex(c);
+      if (first_copy <= v && v < first_copy + copies.size())
+        m_table.set_vertex(c, copies[v - first_copy]);
     }
     link_fans(fans);
   }
@@ -115,7 +115,9 @@ private:
     for (std::size_t i = 0, end; i < into_fans.size(); i = end) {
       for (end = i; end < into_fans.size() && into_fans[end].first == into_fans[i].first;)
         ++end;
-      for (std::size_t j = i; end - i > 1 && j < end; ++j) {
+      if (end - i == 1)
+        continue;
+      for (std::size_t j = i; j < end; ++j) {
         const Index h = into_fans[j].second, g = into_fans[j + 1 == end ? i : j + 1].second;
         m_next.emplace_back(h, next_in_fan(g));
         m_prev.emplace_back(next_in_fan(g), h);

@@ -50,15 +50,17 @@ With four references, 16 bytes a vertex for a 32-bit `Index`, all queries take c
 Some walk along a list of at most `max_walk_length()` vertices; with five references
 fewer do, with six none.
 
-Off borders, special edges of the wood and polygons, in the <em>core</em>, vertex \f$u\f$ has the halfedges
-\f$6u + k\f$: \f$k = 0, 2, 4\f$ run to its red, blue and black parent, \f$k + 1\f$ back, and the faces \f$2u\f$ and
-\f$2u + 1\f$. Everywhere, opposite halfedges differ in the last bit, and halfedge \f$h\f$ belongs to edge
-\f$h/2\f$. What is not in the core comes last in all numberings, and there queries also take time logarithmic in the number of
-components, borders, handles and vertices with several fans.
+Off borders, special edges of the wood and polygons, in the <em>core</em>, vertex \f$u\f$ has the
+halfedges \f$6u + k\f$: \f$k = 0, 2, 4\f$ run to its red, blue and black parent, \f$k + 1\f$ back, and
+the faces \f$2u\f$ and \f$2u + 1\f$. Everywhere, opposite halfedges differ in the last bit, and halfedge
+\f$h\f$ belongs to edge \f$h/2\f$. What is not in the core comes last in all numberings. There queries
+also take time logarithmic in the number of components, borders, handles and vertices with
+several fans, and `halfedge(u, v)` time linear in the numbers of fans and special edges of `u` and `v`.
 
 Borders cost nothing, and neither do their edges; a component costs 15 words at most, a further
-border of a component 31, a handle 62, and a vertex with \f$k\f$ fans \f$10k - 6\f$. A polygon has hidden diagonals, or a
-hidden vertex, which has a record as others have; then all edges, faces and vertices have a bit with its rank directory.
+border of a component 31, a handle 62, and a vertex with \f$k\f$ fans \f$10k - 6\f$. A polygon has
+hidden diagonals, or a hidden vertex, which has a record as others have; then all edges, faces and
+vertices have a bit with its rank directory.
 
 The structure combines Schnyder's trees (W. Schnyder, <em>Embedding planar graphs on the
 grid</em>, SODA 1990), their generalization to all genera (L. Castelli Aleardi, habilitation, 2022) and the
@@ -232,8 +234,6 @@ public:
     const Index core = m_numbering.core;
     if (BOOST_UNLIKELY(u >= core || v >= core))
       return halfedge_outside(u, v);
-    if (u == v)
-      return null_index();
     for (unsigned word = 0; word < 3; ++word)
       if (m_records.parent(u, word) == v)
         return 6 * u + 2 * word;
@@ -382,7 +382,8 @@ private:
       further_roots.clear();
       for (std::size_t i = component.first_root + 1; i < component.end_root; ++i)
         further_roots.push_back(Corner_table<Index>::prev(t.roots()[i].base));
-      const bool is_simple = shelling(t.roots()[component.first_root].base, further_roots, component.num_faces, [](Index) {});
+      const Index base = t.roots()[component.first_root].base;
+      const bool is_simple = shelling(base, further_roots, component.num_faces, [](Index) {});
       CGAL_assertion(is_simple);
       CGAL_USE(is_simple);
     }

@@ -12,6 +12,7 @@
 
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
 #include <CGAL/Compact_surface_mesh/Mesh_defect_exception.h>
+#include <CGAL/Compact_surface_mesh/internal/for_each_side.h>
 #include <CGAL/Compact_surface_mesh/internal/numbered_vertices.h>
 #include <CGAL/Schnyder_woods/Shelling_order.h>
 #include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
@@ -52,13 +53,10 @@ public:
     check_closed();
     check_connected();
     halfedges.reserve(table.num_halfedges());
-    for (const auto f : faces(g)) {
-      halfedge_descriptor h = halfedge(f, g);
-      for (int i = 0; i < 3; ++i, h = next(h, g)) {
-        put(m_index, h, static_cast<Index>(halfedges.size()));
-        halfedges.push_back(h);
-      }
-    }
+    for_each_side(g, [this](std::size_t i, halfedge_descriptor h) {
+      put(m_index, h, static_cast<Index>(i));
+      halfedges.push_back(h);
+    });
     if (is_empty())
       return;
     base = index(root);

@@ -137,38 +137,25 @@ public:
     return halfedge(visible_after(raw, g));
   }
 
-  // null for an isolated vertex
+  // null for an isolated vertex. A border halfedge into v is visible: of a split edge of the border, it is
+  // the part out of v that is hidden.
   template <class Raw>
   Index halfedge_of_vertex(const Raw& raw, Index v) const
   {
     Index g = raw.halfedge_of_vertex(raw_vertex(v));
     if (g == null())
       return g;
-    while (is_hidden(g)) {
-      if (is_part(raw, g))
-        return halfedge(visible_before(raw, raw.prev(g)));
+    while (is_hidden(g))
       g = raw.opposite(raw.next(g));
-    }
     return halfedge(g);
   }
 
-  // The halfedge from u to v, null if there is none: a split edge is found around v.
+  // The halfedge from u to v, null if there is none: of the edges with the same ends, one is not split.
   template <class Raw>
   Index halfedge(const Raw& raw, Index u, Index v) const
   {
     const Index g = raw.halfedge(raw_vertex(u), raw_vertex(v));
-    if (g != null() && !is_hidden(g))
-      return halfedge(g);
-    const Index first = m_stands_for.empty() ? null() : halfedge_of_vertex(raw, v);
-    if (first == null())
-      return null();
-    Index h = first;
-    do {
-      if (source(raw, h) == u)
-        return h;
-      h = opposite(raw, next(raw, h));
-    } while (h != first);
-    return null();
+    return g == null() || is_hidden(g) ? null() : halfedge(g);
   }
 
   // Tells what became of the input. The vertices and halfedges are as for the constructor; an empty

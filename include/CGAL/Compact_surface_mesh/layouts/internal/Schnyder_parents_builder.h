@@ -208,11 +208,11 @@ private:
     if (has_hidden)
       for (std::size_t h = 0; h < 3 * m_triangulation.num_open_faces(); ++h) {
         const Index c = m_triangulation.current_halfedge(static_cast<Index>(h));
-        if (m_triangulation.is_hidden(c))
-          for (const Index side : { c, m_table.opposite(c) }) {
-            exclude(m_table.source(side));
-            exclude(m_table.target(m_table.next(side)));
-          }
+        if (m_triangulation.is_hidden(c)) { // and so is its opposite, but on a border
+          exclude(m_table.source(c));
+          exclude(m_table.target(c));
+          exclude(m_table.target(m_table.next(c)));
+        }
       }
     const bool has_hidden_vertices = !m_triangulation.simple().stands_for().empty();
     if (has_hidden_vertices)

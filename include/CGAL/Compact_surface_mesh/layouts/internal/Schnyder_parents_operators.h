@@ -111,7 +111,9 @@ struct Schnyder_parents_operators
   Index pred(Index x) const { return r.is_first(x) ? r.red_parent(x) : x - 1; }
   Index succ(Index x) const { return r.is_last(x) ? r.red_parent(x) : x + 1; }
 
-  // The side that faces the hole of an apex and ends at x.
+  // The side that faces the hole of an apex and ends at x: that of the edge between x and the
+  // vertex before it. If x has no blue edge out it is V_0, and the edge is the blue one of V_1; else
+  // it is the first black edge into x, or the blue edge of x.
   Side border_side(Index x) const
   {
     if (r.blue_parent(x) == x)
@@ -119,7 +121,8 @@ struct Schnyder_parents_operators
     return r.in_black(x) ? Side{ zone.last_sector(pred(x)), 4 } : Side{ x, 3 };
   }
 
-  // Whether a side faces a hole; then `head` is where it ends.
+  // Whether a side faces a hole; then `head` is where it ends. Of the records with a blue edge
+  // out, only the last one of V_1 has no black one.
   bool faces_hole(Side s, Index& head) const
   {
     switch (s.k) {
@@ -137,8 +140,9 @@ struct Schnyder_parents_operators
     }
   }
 
-  Index source(Side s) const { return zone.vertex(s.k & 1 ? r.parent(s.x, s.k / 2) : s.x); }
-  Index target(Side s) const { return zone.vertex(s.k & 1 ? s.x : r.parent(s.x, s.k / 2)); }
+  // The records where a side starts and ends.
+  Index source(Side s) const { return s.k & 1 ? r.parent(s.x, s.k / 2) : s.x; }
+  Index target(Side s) const { return s.k & 1 ? s.x : r.parent(s.x, s.k / 2); }
 
   BOOST_FORCEINLINE Side next(Side s) const
   {

@@ -43,41 +43,12 @@ public:
   // Finds the slots that are dead, and the copies of special edges.
   void number_slots(Records& records, Numbering& numbering) const
   {
-    std::vector<Index> edges, faces, owners;
-    const auto bury = [&](Index x, unsigned k) {
-      owners.push_back(x);
-      edges.push_back(numbering.edge_slot(x, k));
-    };
-    for (const auto& component : m_triangulation.components()) {
-      const Index base = m_triangulation.roots()[component.first_root].base;
-      const Index v0 = m_builder.records_of_vertices()[m_table.target(base)];
-      const Index v1 = m_builder.record_of_corner(base);
-      bury(v0, 2);
-      bury(v0, 4);
-      bury(v1, 4);
-      for (const Index x : { v0, v1 })
-        faces.push_back(numbering.face_slot(x, 1));
-    }
-    for (std::size_t i = 0; i < m_table.num_halfedges(); ++i) {
-      const Index h = static_cast<Index>(i), o = m_table.opposite(h);
-      if (!m_wood.is_special(h) || o < h)
-        continue;
-      Side first = side(h), second = side(o);
-      if (numbering.edge_slot(second.x, second.k) < numbering.edge_slot(first.x, first.k))
-        std::swap(first, second);
-      const Index slot = numbering.edge_slot(first.x, first.k), other = numbering.edge_slot(second.x, second.k);
-      const unsigned char live = first.k & 1, other_live = second.k & 1;
-      numbering.copies.push_back({ slot, other, live, other_live });
-      numbering.copies.push_back({ other, slot, other_live, live });
-      owners.push_back(first.x);
-      bury(second.x, second.k);
-    }
-    std::sort(numbering.copies.begin(), numbering.copies.end(),
-              [](const auto& a, const auto& b) { return a.slot < b.slot; });
-    numbering.copies.shrink_to_fit();
-    numbering.edges = filled(numbering.num_edge_slots(), edges);
-    numbering.faces = filled(numbering.num_face_slots(), faces);
-    for (const Index x : owners)
+    Dead_slots dead;
+    bury_slots_of_roots(numbering, dead);
+    number_special_copies(numbering, dead);
+    numbering.edges = filled(numbering.num_edge_slots(), dead.edges);
+    numbering.faces = filled(numbering.num_face_slots(), dead.faces);
+    for (const Index x : dead.irregular)
       records.records[x].word[2] |= Records::irregular;
   }
 
@@ -94,6 +65,54 @@ public:
   }
 
 private:
+  struct Dead_slots
+  {
+    std::vector<Index> edges, faces;
+    std::vector<Index> irregular; // records that own dead edges, and copies of special ones
+  };
+
+  static void bury_edge(const Numbering& numbering, Side s, Dead_slots& dead)
+  {
+    dead.irregular.push_back(s.x);
+    dead.edges.push_back(numbering.edge_slot(s.x, s.k));
+  }
+
+  // What V_0 and V_1 of each component do not have.
+  void bury_slots_of_roots(const Numbering& numbering, Dead_slots& dead) const
+  {
+    for (const auto& component : m_triangulation.components()) {
+      const Index base = m_triangulation.roots()[component.first_root].base;
+      const Index v0 = m_builder.records_of_vertices()[m_table.target(base)];
+      const Index v1 = m_builder.record_of_corner(base);
+      for (const Side s : { Side{ v0, 2 }, Side{ v0, 4 }, Side{ v1, 4 } })
+        bury_edge(numbering, s, dead);
+      for (const Index x : { v0, v1 })
+        dead.faces.push_back(numbering.face_slot(x, 1));
+    }
+  }
+
+  // The first copy of a special edge has the edge.
+  void number_special_copies(Numbering& numbering, Dead_slots& dead) const
+  {
+    for (std::size_t i = 0; i < m_table.num_halfedges(); ++i) {
+      const Index h = static_cast<Index>(i), o = m_table.opposite(h);
+      if (!m_wood.is_special(h) || o < h)
+        continue;
+      Side first = side(h), second = side(o);
+      if (numbering.edge_slot(second.x, second.k) < numbering.edge_slot(first.x, first.k))
+        std::swap(first, second);
+      const Index slot = numbering.edge_slot(first.x, first.k), other = numbering.edge_slot(second.x, second.k);
+      const unsigned char live = first.k & 1, other_live = second.k & 1;
+      numbering.copies.push_back({ slot, other, live, other_live });
+      numbering.copies.push_back({ other, slot, other_live, live });
+      dead.irregular.push_back(first.x);
+      bury_edge(numbering, second, dead);
+    }
+    std::sort(numbering.copies.begin(), numbering.copies.end(),
+              [](const auto& a, const auto& b) { return a.slot < b.slot; });
+    numbering.copies.shrink_to_fit();
+  }
+
   // The side of h in the copy of its edge that bounds its face.
   Side side(Index h) const
   {
