@@ -5,20 +5,17 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-// The road by which every mesh enters: Corner_table, made of soups and of graphs, and
-// Closed_triangulation. What they hold, and what they refuse.
+// Corner_table, made of soups and of graphs: what it holds, and what it refuses.
 
 #include "damaged_soups.h"
 #include "generated_triangulations.h"
-#include "layout_oracle.h"
+#include "refusals.h"
 #include "small_triangulations.h"
 #include "soup_oracle.h"
 #include "test_scale.h"
 
 #include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
-#include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
-#include <CGAL/Compact_surface_mesh/layouts/Schnyder_parents_layout.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
@@ -47,12 +44,14 @@ namespace {
 using CGAL::Closed_triangulation;
 using CGAL::Corner_table;
 using CGAL::Mesh_defect;
-using CGAL::Mesh_defect_exception;
 using test::Defect;
 using test::Polygon_soup;
 using test::Soup;
 using test::Soup_oracle;
 using test::Triangles;
+using test::refusal;
+using test::text;
+using test::thrown_by;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -61,29 +60,6 @@ using Polyhedron = CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>;
 const Triangles tetrahedron{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
 
 Corner_table<> table_of(const Polygon_soup& soup) { return Corner_table<>(soup.num_vertices, soup.faces); }
-
-// The defect that `make()` throws, if it throws.
-template <class Make>
-std::vector<Defect> thrown_by(const Make& make)
-{
-  try {
-    make();
-  } catch (const Mesh_defect_exception& e) {
-    return {Defect(e.defect(), e.element())};
-  }
-  return {};
-}
-
-// For messages.
-std::string text(const std::vector<Defect>& thrown)
-{
-  return thrown.empty() ? "nothing" : Mesh_defect_exception(thrown[0].first, thrown[0].second).what();
-}
-
-template <class Make>
-std::string refusal(const Make& make) { return text(thrown_by(make)); }
-
-std::string text(Mesh_defect defect, std::size_t element) { return text({Defect(defect, element)}); }
 
 // Whether two tables hold the same.
 template <class Index>
@@ -97,74 +73,17 @@ bool are_equal(const Corner_table<Index>& a, const Corner_table<Index>& b)
   return equal;
 }
 
-// What is wrong with a closed triangulation of the table, or nothing.
-std::string error_of_closing(Corner_table<>&& open)
-{
-  const Corner_table<> copy = open;
-  const Closed_triangulation<> closed(std::move(open));
-  const Corner_table<>& table = closed.table();
-  const std::size_t num_sides = copy.num_halfedges();
-  if (closed.num_open_faces() != copy.num_faces() || closed.first_copy() != copy.num_vertices()
-      || closed.first_apex() + closed.roots().size() != table.num_vertices())
-    return "wrong counts";
-  for (std::uint32_t h = 0; h < table.num_halfedges(); ++h) {
-    const std::uint32_t o = table.opposite(h);
-    if (o == table.null() || table.opposite(o) != h || table.source(o) != table.target(h))
-      return "is not closed";
-  }
-  const auto original = [&](std::uint32_t v) { return v < closed.first_copy() ? v : closed.copies()[v - closed.first_copy()]; };
-  for (std::uint32_t h = 0; h < num_sides; ++h) {
-    const std::uint32_t g = closed.current_halfedge(h);
-    if (original(table.source(g)) != copy.source(h) || original(table.target(g)) != copy.target(h))
-      return "a halfedge is lost";
-    if (copy.opposite(h) != copy.null() && table.opposite(g) != closed.current_halfedge(copy.opposite(h)))
-      return "an edge is lost";
-    if (copy.opposite(h) == copy.null() && table.target(table.next(table.opposite(g))) < closed.first_apex())
-      return "a border has no apex";
-  }
-  std::size_t num_faces = 0, num_roots = 0;
-  for (const auto& component : closed.components()) {
-    if (component.first_root != num_roots || component.end_root <= num_roots)
-      return "wrong roots";
-    num_faces += component.num_faces;
-    num_roots = component.end_root;
-    for (std::size_t i = component.first_root; i < component.end_root; ++i) {
-      const auto& root = closed.roots()[i];
-      std::set<std::uint32_t> around;
-      std::uint32_t h = table.prev(root.base);
-      for (std::uint32_t j = 0; j < root.degree; ++j, h = table.next_around_source(h))
-        around.insert(table.target(h));
-      if (table.source(h) != root.apex || h != table.prev(root.base) || around.size() != root.degree)
-        return "wrong root";
-      if (root.degree > closed.roots()[component.first_root].degree)
-        return "the main root is not the largest one";
-    }
-  }
-  return num_faces == table.num_faces() && num_roots == closed.roots().size() ? "" : "faces or roots of no component";
-}
-
-// What Corner_table and Closed_triangulation do wrong with `soup`, or nothing. `met`
-// counts the defects that they name.
-std::string error_of_construction(const Polygon_soup& soup, std::map<std::string, std::size_t>& met)
+// What Corner_table does wrong with `soup`, or nothing. `met` counts the defects that it names.
+std::string error_of_construction(const Polygon_soup& soup, test::Thrown_counts& met)
 {
   const Soup_oracle oracle(soup);
   const std::set<Defect> defects = oracle.defects();
   Corner_table<> table;
-  const auto judge = [&](const std::set<Defect>& expected, const std::vector<Defect>& thrown) -> std::string {
-    ++met[thrown.empty() ? "nothing" : text(thrown[0].first, 0)];
-    if (expected.empty())
-      return thrown.empty() ? "" : "is refused: " + text(thrown);
-    if (thrown.empty())
-      return "is taken, but " + text({*expected.begin()});
-    return expected.count(thrown[0]) != 0 ? "" : "is refused for what is not so: " + text(thrown);
-  };
-  std::string error = judge(defects, thrown_by([&] { table = table_of(soup); }));
+  const std::string error = test::error_of_refusal(defects, thrown_by([&] { table = table_of(soup); }), met);
   if (!error.empty() || !defects.empty())
     return error;
-  error = oracle.difference(table);
-  if (!error.empty())
-    return "differs: " + error;
-  return error_of_closing(std::move(table));
+  const std::string difference = oracle.difference(table);
+  return difference.empty() ? "" : "differs: " + difference;
 }
 
 } // namespace
@@ -331,28 +250,11 @@ TEST(Corner_table, names_the_first_malformed_face)
 
 TEST(Corner_table, throws_exactly_when_a_random_soup_has_a_defect_and_names_one)
 {
-  const unsigned int seed = 2;
-  const std::size_t num_soups = (std::max<std::size_t>)(3000, test::scaled(100000));
-  std::cout << "seed " << seed << ", " << num_soups << " soups" << std::endl;
-  std::mt19937 rng(seed);
-  const std::vector<Polygon_soup> surfaces = test::small_surfaces();
-  std::map<std::string, std::size_t> met, ignored;
-  for (std::size_t i = 0; i < num_soups; ++i) {
-    const Polygon_soup soup = test::random_soup(surfaces, rng);
-    const std::string error = error_of_construction(soup, met);
-    const auto fails = [&](const Polygon_soup& s) { return !error_of_construction(s, ignored).empty(); };
-    if (!error.empty()) {
-      const Polygon_soup smallest = test::smallest_failing(soup, fails);
-      FAIL() << "soup " << i << " " << error << "\n" << soup << "\nand so fails "
-             << smallest << ", which " << error_of_construction(smallest, ignored);
-    }
-  }
-  for (const Mesh_defect defect : {Mesh_defect::index_out_of_range, Mesh_defect::not_a_triangle,
-                                   Mesh_defect::repeated_vertex, Mesh_defect::nonmanifold_edge,
-                                   Mesh_defect::duplicate_face, Mesh_defect::inconsistent_orientation,
-                                   Mesh_defect::nonmanifold_vertex})
-    EXPECT_LT(num_soups / 500, met[text(defect, 0)]) << text(defect, 0);
-  EXPECT_LT(num_soups / 20, met["nothing"]);
+  test::expect_random_soups_are_right(
+      test::small_surfaces(), (std::max<std::size_t>)(3000, test::scaled(100000)), error_of_construction,
+      {Mesh_defect::index_out_of_range, Mesh_defect::not_a_triangle, Mesh_defect::repeated_vertex,
+       Mesh_defect::nonmanifold_edge, Mesh_defect::duplicate_face, Mesh_defect::inconsistent_orientation,
+       Mesh_defect::nonmanifold_vertex});
 }
 
 TEST(Corner_table, refuses_more_elements_than_its_index_type_can_number)
@@ -454,149 +356,4 @@ TEST(Corner_table, takes_hubs_of_a_million_triangles)
   doubled.triangles.push_back(doubled.triangles[n / 2]);
   EXPECT_EQ(Mesh_defect::nonmanifold_edge,
             thrown_by([&] { Corner_table<>(n, doubled.triangles); }).at(0).first);
-}
-
-TEST(Closed_triangulation, closes_borders_parts_vertices_and_caps_closed_components)
-{
-  const auto closed = [](const Polygon_soup& soup) { return Closed_triangulation<>(table_of(soup)); };
-  EXPECT_EQ(0u, closed({0, {}}).roots().size());
-  EXPECT_EQ(0u, closed({3, {}}).components().size()); // isolated vertices
-  const auto bow_tie = closed({5, {{0, 1, 2}, {0, 3, 4}}});
-  EXPECT_EQ(std::vector<std::uint32_t>(1, 0), bow_tie.copies());
-  EXPECT_EQ(2u, bow_tie.components().size());
-  EXPECT_FALSE(bow_tie.is_cap(bow_tie.roots()[0]));
-  const auto two = closed(test::disjoint_union(test::torus(), test::tetrahedron()));
-  ASSERT_EQ(2u, two.components().size());
-  EXPECT_EQ(16u, two.components()[0].num_faces);
-  EXPECT_EQ(6u, two.components()[1].num_faces);
-  EXPECT_TRUE(two.is_cap(two.roots()[0]) && two.is_cap(two.roots()[1]));
-
-  // an annulus: its larger border is the main root
-  Polygon_soup annulus = test::soup_of(test::globe(3, 7));
-  annulus.faces.erase(std::remove_if(annulus.faces.begin(), annulus.faces.end(), [](const std::vector<long long>& f) {
-    return f[0] == 1;
-  }), annulus.faces.end());
-  annulus.faces.erase(annulus.faces.begin()); // at the other pole
-  const auto closed_annulus = closed(annulus);
-  ASSERT_EQ(1u, closed_annulus.components().size());
-  EXPECT_EQ(2u, closed_annulus.roots().size());
-  EXPECT_GT(closed_annulus.roots()[0].degree, closed_annulus.roots()[1].degree);
-}
-
-TEST(Closed_triangulation, removes_its_caps)
-{
-  const Polygon_soup soup = test::disjoint_union(test::disjoint_union(test::tetrahedron(), {3, {{0, 1, 2}}}), test::torus());
-  Closed_triangulation<> closed(table_of(soup));
-  EXPECT_EQ(3u, closed.roots().size());
-  closed.remove_caps();
-  ASSERT_EQ(1u, closed.roots().size());
-  EXPECT_EQ(3u, closed.roots()[0].degree);
-  const Corner_table<> original = table_of(soup), table = closed.release_table();
-  EXPECT_EQ(original.num_faces() + 3, table.num_faces());
-  EXPECT_EQ(original.num_vertices() + 1, table.num_vertices());
-  for (std::uint32_t h = 0; h < original.num_halfedges(); ++h) {
-    EXPECT_EQ(original.source(h), table.source(h));
-    if (original.opposite(h) != original.null()) {
-      EXPECT_EQ(original.opposite(h), table.opposite(h));
-    }
-  }
-}
-
-TEST(Closed_triangulation, has_an_apex_to_the_left_of_its_base)
-{
-  Closed_triangulation<> closed{Corner_table<>(4, tetrahedron)};
-  const Corner_table<>& table = closed.table();
-  ASSERT_EQ(1u, closed.roots().size());
-  EXPECT_EQ(4u, closed.first_apex());
-  EXPECT_EQ(5u, table.num_vertices());
-  EXPECT_EQ(4u, closed.roots()[0].apex);
-  EXPECT_EQ(4u, table.target(table.next(closed.roots()[0].base)));
-  std::size_t degree_of_apex = 0;
-  for (std::uint32_t h = 0; h < table.num_halfedges(); ++h)
-    degree_of_apex += table.source(h) == 4 ? 1 : 0;
-  EXPECT_EQ(3u, degree_of_apex);
-}
-
-TEST(Closed_triangulation, is_empty_when_moved_from)
-{
-  const auto size = [](const Closed_triangulation<>& t) {
-    return t.first_apex() + t.num_open_faces() + t.simple().num_user_vertices() + t.roots().size()
-         + t.components().size() + t.table().num_vertices() + t.table().num_halfedges();
-  };
-  Corner_table<> table(4, tetrahedron);
-  Closed_triangulation<> closed(std::move(table)), other;
-  EXPECT_EQ(0u, table.num_vertices() + table.num_halfedges());
-  other = std::move(closed);
-  EXPECT_EQ(0u, size(closed));
-  closed = Closed_triangulation<>(std::move(other));
-  EXPECT_EQ(0u, size(other));
-  EXPECT_NE(0u, size(closed));
-}
-
-TEST(Closed_triangulation, refuses_a_mesh_whose_apex_the_index_type_cannot_number)
-{
-  const Soup last = test::octasphere(0), most = test::double_wheel(43), too_many = test::double_wheel(44);
-  for (const Soup& soup : {last, most})
-    EXPECT_EQ("nothing", refusal([&] {
-      Closed_triangulation<std::uint8_t> closed{Corner_table<std::uint8_t>(soup.num_vertices, soup.triangles)};
-    }));
-  EXPECT_EQ(text(Mesh_defect::too_many_elements, 86), refusal([&] {
-    Closed_triangulation<std::uint8_t> closed{Corner_table<std::uint8_t>(too_many.num_vertices, too_many.triangles)};
-  }));
-}
-
-template <class Layout>
-struct Layout_of_narrow_indices
-  : public ::testing::Test
-{};
-using Narrow_layouts = ::testing::Types<
-  CGAL::Schnyder_parents_layout<4, std::uint8_t>, CGAL::Schnyder_parents_layout<5, std::uint8_t>,
-  CGAL::Schnyder_parents_layout<6, std::uint8_t>, CGAL::Schnyder_parents_layout<4, std::uint16_t>,
-  CGAL::Schnyder_parents_layout<5, std::uint16_t>, CGAL::Schnyder_parents_layout<6, std::uint16_t>,
-  CGAL::Corner_table_layout<std::uint8_t>, CGAL::Corner_table_layout<std::uint16_t>>;
-TYPED_TEST_SUITE(Layout_of_narrow_indices, Narrow_layouts);
-
-TYPED_TEST(Layout_of_narrow_indices, holds_as_many_vertices_as_it_says_and_refuses_one_more)
-{
-  using Index = typename TypeParam::Index;
-  const std::uint32_t most = static_cast<std::uint32_t>(TypeParam::max_vertices());
-  for (const Soup& soup : {test::random_triangulation(most, 4), test::double_wheel(most),
-                           test::stacked_at_hub(most), test::stacked_triangulation(most, 4)})
-    EXPECT_EQ("", test::difference_from_table<TypeParam>(most, soup.triangles));
-  const Soup soup = test::double_wheel(most + 1);
-  CGAL::Input_images<Index> images;
-  images.vertices.assign(1, 7);
-  EXPECT_EQ(Mesh_defect::too_many_elements, thrown_by([&] {
-    Closed_triangulation<Index> closed{Corner_table<Index>(soup.num_vertices, soup.triangles)};
-    TypeParam(std::move(closed), images);
-  }).at(0).first);
-  EXPECT_EQ(std::vector<Index>(1, 7), images.vertices);
-}
-
-TEST(Schnyder_parents_layout, of_16_bit_indices_holds_4096_vertices)
-{
-  EXPECT_EQ(4096u, (CGAL::Schnyder_parents_layout<4, std::uint16_t>::max_vertices()));
-  EXPECT_EQ(std::size_t(1) << 28, CGAL::Schnyder_parents_layout<>::max_vertices());
-}
-
-TYPED_TEST(Layout_of_narrow_indices, is_empty_when_moved_from)
-{
-  using Index = typename TypeParam::Index;
-  const auto size = [](const TypeParam& layout) {
-    std::size_t bytes = 0;
-    for (const auto& array : layout.memory())
-      bytes += array.second;
-    return bytes + layout.num_vertices() + layout.num_halfedges() + layout.num_edges() + layout.num_faces();
-  };
-  CGAL::Input_images<Index> images;
-  Closed_triangulation<Index> closed{Corner_table<Index>(4, tetrahedron)};
-  TypeParam layout(std::move(closed), images);
-  EXPECT_EQ(0u, closed.first_apex() + closed.table().num_vertices() + closed.table().num_halfedges());
-  const std::size_t full = size(layout);
-  TypeParam other(std::move(layout));
-  EXPECT_EQ(0u, size(layout));
-  layout = std::move(other);
-  EXPECT_EQ(0u, size(other));
-  EXPECT_EQ(full, size(layout));
-  EXPECT_EQ(0u, size(TypeParam()));
 }

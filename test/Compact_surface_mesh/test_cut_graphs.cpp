@@ -10,6 +10,7 @@
 #include "closed_surfaces.h"
 #include "cut_graph_oracle.h"
 #include "generated_surfaces.h"
+#include "shelling_orders.h"
 #include "test_scale.h"
 
 #include <CGAL/Compact_surface_mesh.h>
@@ -327,18 +328,27 @@ void cut_along_tree_and_cotree(Cut& cut, Halfedge root)
   CGAL::cut_graph_of_schnyder_wood(cut.mesh, root, color, is_special, cut.is_cut);
 }
 
-TEST(Cut_graphs, of_trees_like_those_of_a_schnyder_wood_are_pruned)
+// Expects cut_along(c, root, i) to make c a cut graph with right loops, on `num` random surfaces of each genus.
+template <class Cut_along>
+void expect_random_surfaces_are_cut(std::size_t num, const Cut_along& cut_along)
 {
   for (const std::uint32_t genus : { 0, 1, 2, 5, 20 })
-    for (unsigned int seed = 0; seed < test::scaled(100); ++seed) {
+    for (unsigned int seed = 0; seed < num; ++seed) {
       SCOPED_TRACE("genus " + std::to_string(genus) + ", seed " + std::to_string(seed));
       Surface_mesh mesh = mesh_of(test::closed_surface(genus, 4 * genus + 4 + seed, seed));
       Cut cut(mesh);
-      cut_along_tree_and_cotree(cut, Halfedge(7 * seed % mesh.number_of_halfedges()));
+      cut_along(cut, Halfedge(7 * seed % mesh.number_of_halfedges()), seed);
       EXPECT_EQ(cut.defect(), "");
       CGAL::cut_graph_loops(mesh, cut.is_cut, std::back_inserter(cut.loops));
       EXPECT_EQ(cut.defect_of_loops(), "");
     }
+}
+
+TEST(Cut_graphs, of_trees_like_those_of_a_schnyder_wood_are_pruned)
+{
+  expect_random_surfaces_are_cut(test::scaled(100), [](Cut& cut, Halfedge root, unsigned int) {
+    cut_along_tree_and_cotree(cut, root);
+  });
 }
 
 // The shortest arcs between given points, here those at which a graph branches, are no longer than
@@ -379,22 +389,11 @@ void cut_along_schnyder_wood(Cut& cut, Halfedge root, CGAL::Shelling_order order
   CGAL::cut_graph_of_schnyder_wood(cut.mesh, root, color, is_special, cut.is_cut);
 }
 
-const CGAL::Shelling_order all_orders[] = { CGAL::Shelling_order::LAST_IN_FIRST_OUT,
-                                            CGAL::Shelling_order::FIRST_IN_FIRST_OUT,
-                                            CGAL::Shelling_order::RANDOM };
-
 TEST(Cut_graphs, of_schnyder_woods_cut)
 {
-  for (const std::uint32_t genus : { 0, 1, 2, 5, 20 })
-    for (unsigned int seed = 0; seed < test::scaled(50); ++seed) {
-      SCOPED_TRACE("genus " + std::to_string(genus) + ", seed " + std::to_string(seed));
-      Surface_mesh mesh = mesh_of(test::closed_surface(genus, 4 * genus + 4 + seed, seed));
-      Cut cut(mesh);
-      cut_along_schnyder_wood(cut, Halfedge(7 * seed % mesh.number_of_halfedges()), all_orders[seed % 3]);
-      EXPECT_EQ(cut.defect(), "");
-      CGAL::cut_graph_loops(mesh, cut.is_cut, std::back_inserter(cut.loops));
-      EXPECT_EQ(cut.defect_of_loops(), "");
-    }
+  expect_random_surfaces_are_cut(test::scaled(50), [](Cut& cut, Halfedge root, unsigned int seed) {
+    cut_along_schnyder_wood(cut, root, test::all_orders[seed % 3]);
+  });
 }
 
 TEST(Cut_graphs, of_schnyder_woods_with_several_roots_cut)
@@ -408,7 +407,7 @@ TEST(Cut_graphs, of_schnyder_woods_with_several_roots_cut)
     for (std::size_t j = 1 + i % 3; j > 0; --j)
       further_roots.push_back(Vertex(rng() % mesh.number_of_vertices()));
     try {
-      cut_along_schnyder_wood(cut, Halfedge(rng() % mesh.number_of_halfedges()), all_orders[i % 3], further_roots);
+      cut_along_schnyder_wood(cut, Halfedge(rng() % mesh.number_of_halfedges()), test::all_orders[i % 3], further_roots);
     } catch (const std::invalid_argument&) { // roots are too close
       continue;
     }
@@ -496,7 +495,7 @@ TEST(Cut_graphs, of_real_meshes_are_short)
               << cut.loops.size() / 2;
     print_entry(cut.size(), 1);
     const double plain = shortest_of_8_roots(cut, length, cut_along_tree_and_cotree);
-    for (const auto order : all_orders)
+    for (const auto order : test::all_orders)
       shortest_of_8_roots(cut, length, [&](Cut& c, Halfedge root) { cut_along_schnyder_wood(c, root, order); });
     std::cout << '\n';
     sum_of_logarithms += std::log(plain / length);

@@ -8,7 +8,7 @@
 // The meshes of CGAL's data: each is built, and is the mesh of the file, or refused for
 // what Surface_mesh and CGAL's own functions say of it.
 
-#include "surface_oracle.h"
+#include "layout_of_soup.h"
 #include "test_scale.h"
 
 #include <CGAL/Compact_surface_mesh.h>
@@ -196,12 +196,7 @@ std::string difference_of_class(const Soup& soup, Topology& topology)
 template <class Layout, class... Order>
 void expect_layout(const test::Polygon_soup& soup, Order... order)
 {
-  CGAL::Input_images<> images;
-  images.wants_halfedges = true;
-  const Layout layout(CGAL::Closed_triangulation<>(CGAL::Simple_triangulation<>(soup.num_vertices, soup.faces)),
-                      images, order...);
-  EXPECT_EQ(test::Surface_oracle<Layout>(layout, soup, images.vertices, images.halfedges).difference(), "")
-    << Layout::name();
+  EXPECT_EQ(test::difference_from_soup<Layout>(soup, order...), "") << Layout::name();
 }
 
 void expect_all_layouts(const test::Polygon_soup& soup)

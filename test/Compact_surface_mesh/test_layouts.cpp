@@ -9,9 +9,10 @@
 
 #include "generated_triangulations.h"
 #include "generated_surfaces.h"
+#include "layout_of_soup.h"
 #include "layout_oracle.h"
+#include "shelling_orders.h"
 #include "small_triangulations.h"
-#include "surface_oracle.h"
 #include "test_scale.h"
 
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
@@ -20,17 +21,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <map>
+#include <random>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace {
-
-const CGAL::Shelling_order all_orders[] = { CGAL::Shelling_order::LAST_IN_FIRST_OUT,
-                                            CGAL::Shelling_order::FIRST_IN_FIRST_OUT,
-                                            CGAL::Shelling_order::RANDOM };
 
 // Builds the layout in all ways that its constructor offers, and compares each.
 template <class Layout>
@@ -49,7 +49,7 @@ struct All_woods<CGAL::Schnyder_parents_layout<References, Index>>
   template <class Triangles>
   static std::string difference(std::size_t n, const Triangles& triangles)
   {
-    for (const CGAL::Shelling_order order : all_orders) {
+    for (const CGAL::Shelling_order order : test::all_orders) {
       const std::string difference =
         test::difference_from_table<CGAL::Schnyder_parents_layout<References, Index>>(n, triangles, order, 7u);
       if (!difference.empty())
@@ -131,22 +131,11 @@ TYPED_TEST(Layouts, agree_with_the_corner_table_on_regular_spheres)
   }
 }
 
-template <class Layout, class... Arguments>
-std::string difference_from_soup(const test::Polygon_soup& soup, const Arguments&... arguments)
-{
-  typedef typename Layout::Index Index;
-  CGAL::Input_images<Index> images;
-  images.wants_halfedges = true;
-  const Layout layout(CGAL::Closed_triangulation<Index>(CGAL::Simple_triangulation<Index>(soup.num_vertices, soup.faces)),
-                      images, arguments...);
-  return test::Surface_oracle<Layout>(layout, soup, images.vertices, images.halfedges).difference();
-}
-
 // The same as All_woods, for surfaces of all kinds.
 template <class Layout>
 struct All_woods_of_surfaces
 {
-  static std::string difference(const test::Polygon_soup& soup) { return difference_from_soup<Layout>(soup); }
+  static std::string difference(const test::Polygon_soup& soup) { return test::difference_from_soup<Layout>(soup); }
 };
 
 template <int References, class Index>
@@ -154,9 +143,9 @@ struct All_woods_of_surfaces<CGAL::Schnyder_parents_layout<References, Index>>
 {
   static std::string difference(const test::Polygon_soup& soup)
   {
-    for (const CGAL::Shelling_order order : all_orders) {
+    for (const CGAL::Shelling_order order : test::all_orders) {
       const std::string difference =
-        difference_from_soup<CGAL::Schnyder_parents_layout<References, Index>>(soup, order, 7u);
+        test::difference_from_soup<CGAL::Schnyder_parents_layout<References, Index>>(soup, order, 7u);
       if (!difference.empty())
         return difference + " (order " + std::to_string(static_cast<int>(order)) + ")";
     }
@@ -208,6 +197,78 @@ TYPED_TEST(Layouts, are_right_on_large_surfaces_of_all_kinds)
   for (const std::size_t k : {3, 4, 8, 9, 100})
     for (const test::Polygon_soup& soup : {test::polygon(k), test::pillow(k)})
       ASSERT_EQ(All_woods_of_surfaces<TypeParam>::difference(soup), "") << k << " sides";
+}
+
+// A closed surface, in which the stars of some vertices become polygons, or holes. Few vertices are near one.
+test::Polygon_soup with_large_polygons(std::uint32_t genus, unsigned int seed)
+{
+  const test::Soup surface = test::closed_surface(genus, 400, seed);
+  const std::size_t least_degree = seed % 2 == 0 ? 4 : 9;
+  std::mt19937 rng(seed);
+  std::vector<std::map<std::uint32_t, std::uint32_t>> links(surface.num_vertices); // counterclockwise
+  for (const auto& t : surface.triangles)
+    for (int i = 0; i < 3; ++i)
+      links[t[i]][t[(i + 1) % 3]] = t[(i + 2) % 3];
+  std::vector<bool> is_taken(surface.num_vertices, false), is_removed(surface.num_vertices, false);
+  test::Polygon_soup soup{surface.num_vertices, {}};
+  std::size_t num_polygons = 1 + seed % 4;
+  for (int attempt = 0; attempt < 1000 && num_polygons > 0; ++attempt) {
+    const std::uint32_t v = static_cast<std::uint32_t>(rng() % surface.num_vertices);
+    const auto& link = links[v];
+    if (is_taken[v] || link.size() < least_degree
+        || std::any_of(link.begin(), link.end(), [&](const auto& l) { return is_taken[l.first]; }))
+      continue;
+    std::vector<long long> polygon;
+    for (std::uint32_t u = link.begin()->first; polygon.size() < link.size(); u = link.at(u)) {
+      polygon.push_back(u);
+      is_taken[u] = true;
+    }
+    is_taken[v] = is_removed[v] = true;
+    if (seed % 5 != 4)
+      soup.faces.push_back(polygon);
+    --num_polygons;
+  }
+  for (const auto& t : surface.triangles)
+    if (std::none_of(t.begin(), t.end(), [&](std::uint32_t v) { return is_removed[v]; }))
+      soup.faces.push_back({t[0], t[1], t[2]});
+  return soup;
+}
+
+TYPED_TEST(Layouts, are_right_where_few_polygons_lie_among_many_triangles)
+{
+  for (unsigned int seed = 0; seed < 60; ++seed)
+    ASSERT_EQ(All_woods_of_surfaces<TypeParam>::difference(with_large_polygons(seed % 3, seed)), "") << "seed " << seed;
+}
+
+TYPED_TEST(Layouts, tell_halfedges_only_if_they_are_wanted)
+{
+  const test::Polygon_soup soup = test::pillow(5);
+  CGAL::Input_images<typename TypeParam::Index> images;
+  images.wants_halfedges = true;
+  test::layout_of<TypeParam>(soup, images);
+  EXPECT_EQ(images.halfedges.size(), 10u);
+  images.wants_halfedges = false;
+  test::layout_of<TypeParam>(soup, images);
+  EXPECT_TRUE(images.halfedges.empty());
+  EXPECT_EQ(images.vertices.size(), 5u);
+}
+
+// With everything that a layout can hold.
+TYPED_TEST(Layouts, of_all_kinds_of_elements_can_be_copied_and_moved)
+{
+  for (unsigned int seed = 0; seed < 20; ++seed) {
+    const test::Polygon_soup soup = test::random_surface(seed);
+    CGAL::Input_images<typename TypeParam::Index> images;
+    TypeParam layout = test::layout_of<TypeParam>(soup, images);
+    const auto difference = [&](const TypeParam& l) {
+      return test::Surface_oracle<TypeParam>(l, soup, images.vertices).difference();
+    };
+    const TypeParam copy = layout;
+    const TypeParam moved = std::move(layout);
+    ASSERT_EQ(difference(copy), "") << seed;
+    ASSERT_EQ(difference(moved), "") << seed;
+    ASSERT_EQ(layout.num_vertices() + layout.num_halfedges() + layout.num_edges() + layout.num_faces(), 0u) << seed;
+  }
 }
 
 TYPED_TEST(Layouts, take_the_triangle_with_two_sides)

@@ -487,11 +487,16 @@ TYPED_TEST(Mesh_construction, takes_graphs_with_double_edges)
       ASSERT_EQ(mesh.face(h2h[h]), f2f[graph.face(h)]);
       ASSERT_EQ(mesh.target(mesh.halfedge(mesh.source(h2h[h]), mesh.target(h2h[h]))), mesh.target(h2h[h]));
     }
-    for (const auto v : mesh.vertices()) { // one cycle through all of its halfedges
+    for (const auto v : mesh.vertices()) { // one cycle through all of its halfedges, from a border one on
       std::size_t degree = 0;
+      bool is_on_border = false;
       for (const auto h : mesh.halfedges())
-        degree += mesh.target(h) == v ? 1 : 0;
+        if (mesh.target(h) == v) {
+          ++degree;
+          is_on_border = is_on_border || mesh.is_border(h);
+        }
       ASSERT_EQ(mesh.degree(v), degree);
+      ASSERT_EQ(mesh.is_border(v), is_on_border || degree == 0);
     }
   }
   EXPECT_GT(num_doubled, 300u);

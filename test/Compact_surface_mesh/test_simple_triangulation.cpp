@@ -11,6 +11,7 @@
 #include "damaged_soups.h"
 #include "generated_surfaces.h"
 #include "glued_polygons.h"
+#include "refusals.h"
 #include "simple_triangulation_oracle.h"
 #include "soup_oracle.h"
 #include "test_scale.h"
@@ -45,12 +46,14 @@ namespace {
 
 using CGAL::Corner_table;
 using CGAL::Mesh_defect;
-using CGAL::Mesh_defect_exception;
 using CGAL::Simple_triangulation;
 using test::Defect;
 using test::Glued_polygons;
 using test::Polygon_soup;
 using test::error_of_triangulation;
+using test::refusal;
+using test::text;
+using test::thrown_by;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -73,27 +76,6 @@ Simple_triangulation<Index> simple(const Glued_polygons& polygons)
 {
   return simple<Index>(test::graph_of<Surface_mesh>(polygons));
 }
-
-template <class Make>
-std::vector<Defect> thrown_by(const Make& make)
-{
-  try {
-    make();
-  } catch (const Mesh_defect_exception& e) {
-    return {Defect(e.defect(), e.element())};
-  }
-  return {};
-}
-
-// For messages.
-std::string text(const std::vector<Defect>& thrown)
-{
-  return thrown.empty() ? "nothing" : Mesh_defect_exception(thrown[0].first, thrown[0].second).what();
-}
-std::string text(Mesh_defect defect, std::size_t element) { return text({Defect(defect, element)}); }
-
-template <class Make>
-std::string refusal(const Make& make) { return text(thrown_by(make)); }
 
 std::size_t num_centers(const Simple_triangulation<>& simple)
 {
@@ -183,15 +165,12 @@ std::vector<Polygon_soup> small_polygon_surfaces()
 }
 
 // What Simple_triangulation does wrong with `soup`, or nothing. `met` counts the defects that it names.
-std::string error_of_construction(const Polygon_soup& soup, std::map<std::string, std::size_t>& met)
+std::string error_of_construction(const Polygon_soup& soup, test::Thrown_counts& met)
 {
   const std::set<Defect> defects = test::Soup_oracle(soup).polygon_defects();
   Simple_triangulation<> made;
-  const std::vector<Defect> thrown = thrown_by([&] { made = simple(soup); });
-  ++met[thrown.empty() ? "nothing" : text(thrown[0].first, 0)];
-  if (thrown.empty())
-    return defects.empty() ? error_of_triangulation(made, soup) : "is taken, but " + text({*defects.begin()});
-  return defects.count(thrown[0]) != 0 ? "" : "is refused for what is not so: " + text(thrown);
+  const std::string error = test::error_of_refusal(defects, thrown_by([&] { made = simple(soup); }), met);
+  return error.empty() && defects.empty() ? error_of_triangulation(made, soup) : error;
 }
 
 } // namespace
@@ -432,28 +411,11 @@ TEST(Simple_triangulation, tells_what_can_repair_unoriented_soups)
 
 TEST(Simple_triangulation, throws_exactly_when_a_random_soup_has_a_defect_and_names_one)
 {
-  const unsigned int seed = 2;
-  const std::size_t num_soups = (std::max<std::size_t>)(3000, test::scaled(50000));
-  std::cout << "seed " << seed << ", " << num_soups << " soups" << std::endl;
-  std::mt19937 rng(seed);
-  const std::vector<Polygon_soup> surfaces = small_polygon_surfaces();
-  std::map<std::string, std::size_t> met, ignored;
-  for (std::size_t i = 0; i < num_soups; ++i) {
-    const Polygon_soup soup = test::random_soup(surfaces, rng);
-    const std::string error = error_of_construction(soup, met);
-    const auto fails = [&](const Polygon_soup& s) { return !error_of_construction(s, ignored).empty(); };
-    if (!error.empty()) {
-      const Polygon_soup smallest = test::smallest_failing(soup, fails);
-      FAIL() << "soup " << i << " " << error << "\n" << soup << "\nand so fails "
-             << smallest << ", which " << error_of_construction(smallest, ignored);
-    }
-  }
-  for (const Mesh_defect defect : {Mesh_defect::index_out_of_range, Mesh_defect::degenerate_face,
-                                   Mesh_defect::repeated_vertex, Mesh_defect::nonmanifold_edge,
-                                   Mesh_defect::duplicate_face, Mesh_defect::inconsistent_orientation,
-                                   Mesh_defect::nonmanifold_vertex})
-    EXPECT_LT(num_soups / 500, met[text(defect, 0)]) << text(defect, 0);
-  EXPECT_LT(num_soups / 20, met["nothing"]);
+  test::expect_random_soups_are_right(
+      small_polygon_surfaces(), (std::max<std::size_t>)(3000, test::scaled(50000)), error_of_construction,
+      {Mesh_defect::index_out_of_range, Mesh_defect::degenerate_face, Mesh_defect::repeated_vertex,
+       Mesh_defect::nonmanifold_edge, Mesh_defect::duplicate_face, Mesh_defect::inconsistent_orientation,
+       Mesh_defect::nonmanifold_vertex});
 }
 
 TEST(Simple_triangulation, of_a_graph_refuses_what_no_soup_shows)

@@ -11,8 +11,8 @@
 // Surface meshes of the generated surfaces, and woods on them.
 
 #include "generated_triangulations.h"
+#include "shelling_orders.h"
 
-#include <CGAL/Schnyder_woods/Shelling_order.h>
 #include <CGAL/Schnyder_woods/g_schnyder_wood.h>
 #include <CGAL/Schnyder_woods/is_schnyder_wood.h>
 
@@ -33,10 +33,6 @@ typedef Mesh::Vertex_index Vertex;
 typedef Mesh::Halfedge_index Halfedge;
 typedef Mesh::Edge_index Edge;
 typedef Mesh::Face_index Face;
-
-const CGAL::Shelling_order all_orders[] = {CGAL::Shelling_order::LAST_IN_FIRST_OUT,
-                                           CGAL::Shelling_order::FIRST_IN_FIRST_OUT,
-                                           CGAL::Shelling_order::RANDOM};
 
 template <class Triangles>
 Mesh mesh_of(std::size_t n, const Triangles& triangles)
