@@ -14,6 +14,7 @@
 #include "layout_oracle.h"
 #include "refusals.h"
 
+#include <CGAL/Compact_surface_mesh/internal/Divided_index.h>
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/Schnyder_parents_layout.h>
 
@@ -21,6 +22,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -107,6 +109,33 @@ TYPED_TEST(Layout_of_narrow_indices, is_empty_when_moved_from)
   EXPECT_EQ(0u, size(other));
   EXPECT_EQ(full, size(layout));
   EXPECT_EQ(0u, size(TypeParam()));
+}
+
+template <class Index>
+struct Divided_index
+  : public ::testing::Test
+{};
+using Narrow_indices = ::testing::Types<std::uint8_t, std::uint16_t>;
+TYPED_TEST_SUITE(Divided_index, Narrow_indices);
+
+TYPED_TEST(Divided_index, stands_for_every_index_that_a_layout_has_and_for_null)
+{
+  using Divided = CGAL::internal::Divided_index<TypeParam>;
+  const TypeParam null = std::numeric_limits<TypeParam>::max();
+  EXPECT_TRUE(Divided().is_null());
+  EXPECT_TRUE(Divided(null).is_null());
+  EXPECT_EQ(TypeParam(Divided()), null);
+  const unsigned most = 6 * static_cast<unsigned>(CGAL::Schnyder_parents_layout<4, TypeParam>::max_vertices());
+  for (unsigned i = 0; i <= most; ++i) {
+    const Divided d(static_cast<TypeParam>(i));
+    ASSERT_EQ(unsigned(TypeParam(d)), i);
+    ASSERT_EQ(d.quotient(), i / 6);
+    ASSERT_EQ(d.remainder(), i % 6);
+    ASSERT_EQ(Divided::of(static_cast<TypeParam>(i / 6), i % 6).code(), d.code());
+    ASSERT_LT(d.code(), Divided(static_cast<TypeParam>(i + 1)).code());
+  }
+  for (unsigned i = most; i < null; ++i) // too large for all layouts
+    ASSERT_TRUE(Divided(static_cast<TypeParam>(i)).is_null() || TypeParam(Divided(static_cast<TypeParam>(i))) == i);
 }
 
 } // namespace

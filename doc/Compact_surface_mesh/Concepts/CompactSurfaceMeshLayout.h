@@ -31,6 +31,10 @@ public:
 /// An unsigned integer type, wide enough for all indices of the mesh.
 typedef unspecified_type Index;
 
+/// What names a halfedge in navigation: `Index` itself, or a type that converts from and to it and is
+/// faster to work with.
+typedef unspecified_type Halfedge;
+
 /// @}
 
 /// \name Constants
@@ -88,28 +92,28 @@ std::size_t num_faces() const;
 /// @{
 
 /// the next halfedge counterclockwise around the face of `h`, or along its border.
-Index next(Index h) const;
+Halfedge next(Halfedge h) const;
 /// the halfedge whose next one is `h`.
-Index prev(Index h) const;
+Halfedge prev(Halfedge h) const;
 /// the other halfedge of the edge of `h`.
-Index opposite(Index h) const;
+Halfedge opposite(Halfedge h) const;
 /// the vertex where `h` starts.
-Index source(Index h) const;
+Index source(Halfedge h) const;
 /// the vertex where `h` ends.
-Index target(Index h) const;
+Index target(Halfedge h) const;
 /// the face to the left of `h`, `null_index()` on a border.
-Index face(Index h) const;
+Index face(Halfedge h) const;
 /// the edge of `h`.
-Index edge(Index h) const;
+Index edge(Halfedge h) const;
 /// one of the halfedges of edge `e`, always the same.
-Index halfedge_of_edge(Index e) const;
+Halfedge halfedge_of_edge(Index e) const;
 /// a halfedge whose target is `v`, always the same: a border halfedge if `v` lies on a
 /// border; `null_index()` if `v` is isolated.
-Index halfedge_of_vertex(Index v) const;
+Halfedge halfedge_of_vertex(Index v) const;
 /// a halfedge whose face is `f`, always the same.
-Index halfedge_of_face(Index f) const;
+Halfedge halfedge_of_face(Index f) const;
 /// the halfedge from `u` to `v`, `null_index()` if they are not adjacent.
-Index halfedge(Index u, Index v) const;
+Halfedge halfedge(Index u, Index v) const;
 
 /// @}
 

@@ -32,6 +32,8 @@
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <boost/config.hpp>
+
 #include <array>
 #include <cstddef>
 #include <iostream>
@@ -46,7 +48,8 @@ namespace internal {
 
 template <class Layout>
 using Descriptors_of_layout =
-  Compact_surface_mesh_descriptors::Descriptors<typename Layout::Index, Layout::edge_is_half_of_halfedge>;
+  Compact_surface_mesh_descriptors::Descriptors<typename Layout::Index, typename Layout::Halfedge,
+                                                Layout::edge_is_half_of_halfedge>;
 
 template <class Point, class Descriptors>
 using Element_properties_of =
@@ -372,32 +375,32 @@ public:
   /// @{
 
   /// returns the vertex where `h` ends.
-  Vertex_index target(Halfedge_index h) const { return Vertex_index(m_layout.target(h)); }
+  BOOST_FORCEINLINE Vertex_index target(Halfedge_index h) const { return Vertex_index(m_layout.target(h.name())); }
   /// returns the vertex where `h` starts.
-  Vertex_index source(Halfedge_index h) const { return Vertex_index(m_layout.source(h)); }
+  BOOST_FORCEINLINE Vertex_index source(Halfedge_index h) const { return Vertex_index(m_layout.source(h.name())); }
   /// returns the face to the left of `h`, null on a border.
-  Face_index face(Halfedge_index h) const { return Face_index(m_layout.face(h)); }
+  BOOST_FORCEINLINE Face_index face(Halfedge_index h) const { return Face_index(m_layout.face(h.name())); }
   /// returns the next halfedge counterclockwise around the face of `h`, or along its border.
-  Halfedge_index next(Halfedge_index h) const { return Halfedge_index(m_layout.next(h)); }
+  BOOST_FORCEINLINE Halfedge_index next(Halfedge_index h) const { return Halfedge_index(m_layout.next(h.name())); }
   /// returns the halfedge whose next one is `h`.
-  Halfedge_index prev(Halfedge_index h) const { return Halfedge_index(m_layout.prev(h)); }
+  BOOST_FORCEINLINE Halfedge_index prev(Halfedge_index h) const { return Halfedge_index(m_layout.prev(h.name())); }
   /// returns the other halfedge of the edge of `h`.
-  Halfedge_index opposite(Halfedge_index h) const { return Halfedge_index(m_layout.opposite(h)); }
+  BOOST_FORCEINLINE Halfedge_index opposite(Halfedge_index h) const { return Halfedge_index(m_layout.opposite(h.name())); }
   /// returns the edge of `h`, which remembers `h`.
-  Edge_index edge(Halfedge_index h) const
+  BOOST_FORCEINLINE Edge_index edge(Halfedge_index h) const
   {
     if constexpr (Layout::edge_is_half_of_halfedge)
       return Edge_index(h);
     else
-      return Edge_index(m_layout.edge(h), h);
+      return Edge_index(m_layout.edge(h.name()), h);
   }
 
   /// returns a halfedge whose target is `v`: a border halfedge if `v` lies on a border, null if `v` is isolated.
-  Halfedge_index halfedge(Vertex_index v) const { return Halfedge_index(m_layout.halfedge_of_vertex(v)); }
+  BOOST_FORCEINLINE Halfedge_index halfedge(Vertex_index v) const { return Halfedge_index(m_layout.halfedge_of_vertex(v)); }
   /// returns a halfedge of `f`.
-  Halfedge_index halfedge(Face_index f) const { return Halfedge_index(m_layout.halfedge_of_face(f)); }
+  BOOST_FORCEINLINE Halfedge_index halfedge(Face_index f) const { return Halfedge_index(m_layout.halfedge_of_face(f)); }
   /// returns the halfedge that `e` remembers.
-  Halfedge_index halfedge(Edge_index e) const
+  BOOST_FORCEINLINE Halfedge_index halfedge(Edge_index e) const
   {
     if constexpr (Layout::edge_is_half_of_halfedge)
       return e.halfedge();

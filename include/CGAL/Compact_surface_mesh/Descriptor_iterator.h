@@ -37,12 +37,14 @@ class Descriptor_iterator
                                   std::random_access_iterator_tag, Descriptor>
 #endif
 {
+  using Index = typename Descriptor::size_type;
+
 public:
   /// creates an iterator that must be assigned to before use.
   Descriptor_iterator() = default;
 
   /// creates the iterator that yields `d`.
-  explicit Descriptor_iterator(Descriptor d) : m_descriptor(d) {}
+  explicit Descriptor_iterator(Descriptor d) : m_index(d.idx()) {}
 
   /// returns the element that comes `n` elements later.
   Descriptor operator[](std::ptrdiff_t n) const { return *(*this + n); }
@@ -50,17 +52,17 @@ public:
 private:
   friend class boost::iterator_core_access;
 
-  void increment() { ++m_descriptor; }
-  void decrement() { --m_descriptor; }
-  void advance(std::ptrdiff_t n) { m_descriptor += n; }
-  bool equal(const Descriptor_iterator& other) const { return m_descriptor == other.m_descriptor; }
-  Descriptor dereference() const { return m_descriptor; }
+  void increment() { ++m_index; }
+  void decrement() { --m_index; }
+  void advance(std::ptrdiff_t n) { m_index = static_cast<Index>(m_index + static_cast<Index>(n)); }
+  bool equal(const Descriptor_iterator& other) const { return m_index == other.m_index; }
+  Descriptor dereference() const { return Descriptor(m_index); }
   std::ptrdiff_t distance_to(const Descriptor_iterator& other) const
   {
-    return static_cast<std::ptrdiff_t>(other.m_descriptor.idx()) - static_cast<std::ptrdiff_t>(m_descriptor.idx());
+    return static_cast<std::ptrdiff_t>(other.m_index) - static_cast<std::ptrdiff_t>(m_index);
   }
 
-  Descriptor m_descriptor;
+  Index m_index = Descriptor().idx();
 };
 
 #ifndef DOXYGEN_RUNNING

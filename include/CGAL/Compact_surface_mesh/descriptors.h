@@ -16,6 +16,8 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
+#include <CGAL/Compact_surface_mesh/internal/Divided_index.h>
+
 #include <CGAL/Handle_hash_function.h>
 
 #include <cstddef>
@@ -66,6 +68,18 @@ struct Edge_tag
 };
 
 /// \ingroup PkgCompactSurfaceMeshRef
+/// The kind of halfedges of a mesh each of whose vertices owns six: they keep their indices divided by six.
+struct Divided_halfedge_tag
+  : Halfedge_tag
+{};
+
+/// \ingroup PkgCompactSurfaceMeshRef
+/// The kind of edges of a mesh with such halfedges.
+struct Divided_edge_tag
+  : Edge_tag
+{};
+
+/// \ingroup PkgCompactSurfaceMeshRef
 /// The kind of edges whose numbers only the layout knows.
 struct Listed_edge_tag
   : Edge_tag
@@ -88,6 +102,8 @@ public:
   explicit constexpr Descriptor_storage(Index i) : m_index(i) {}
 
   constexpr Index idx() const { return m_index; }
+  constexpr Index name() const { return m_index; }
+  constexpr Index key() const { return m_index; }
   constexpr bool is_valid() const { return m_index != null_index<Index>; }
 
 protected:
@@ -99,31 +115,72 @@ private:
   Index m_index = null_index<Index>;
 };
 
-// An edge stores the halfedge from which it was made, and its index is half of that.
-// As for Surface_mesh, the null edge converts to half of the null index.
 template <class Index>
-class Descriptor_storage<Edge_tag, Index>
+class Descriptor_storage<Divided_halfedge_tag, Index>
 {
 public:
-  using Halfedge = Descriptor<Halfedge_tag, Index>;
+  using Name = internal::Divided_index<Index>;
 
   constexpr Descriptor_storage() = default;
-  // null_index / 2 is what the null edge converts to
-  explicit constexpr Descriptor_storage(Index e)
-    : m_halfedge(e < null_index<Index> / 2 ? static_cast<Index>(2 * e) : null_index<Index>) {}
-  explicit constexpr Descriptor_storage(Halfedge h) : m_halfedge(h.idx()) {}
+  explicit constexpr Descriptor_storage(Index i) : m_name(i) {}
+  explicit constexpr Descriptor_storage(Name name) : m_name(name) {}
 
-  constexpr Halfedge halfedge() const { return Halfedge(m_halfedge); }
-  constexpr Index idx() const { return m_halfedge / 2; }
-  constexpr bool is_valid() const { return m_halfedge != null_index<Index>; }
+  constexpr Index idx() const { return m_name; }
+  constexpr Name name() const { return m_name; }
+  constexpr Index key() const { return m_name.code(); }
+  constexpr bool is_valid() const { return !m_name.is_null(); }
 
 protected:
-  void advance(std::ptrdiff_t n) { m_halfedge = static_cast<Index>(m_halfedge + 2 * static_cast<Index>(n)); }
+  void advance(std::ptrdiff_t n) { m_name = static_cast<Index>(idx() + static_cast<Index>(n)); }
 
-  void print(std::ostream& os) const { os << 'e' << idx() << " on h" << m_halfedge; }
+  void print(std::ostream& os) const { os << 'h' << idx(); }
 
 private:
-  Index m_halfedge = null_index<Index>;
+  Name m_name;
+};
+
+// An edge stores the halfedge from which it was made, and its index is half of that.
+// As for Surface_mesh, the null edge converts to half of the null index.
+template <class Halfedge_, class Index>
+class Edge_of_halfedge
+{
+public:
+  using Halfedge = Halfedge_;
+
+  constexpr Edge_of_halfedge() = default;
+  // null_index / 2 is what the null edge converts to
+  explicit constexpr Edge_of_halfedge(Index e)
+    : m_halfedge(e < null_index<Index> / 2 ? static_cast<Index>(2 * e) : null_index<Index>) {}
+  explicit constexpr Edge_of_halfedge(Halfedge h) : m_halfedge(h) {}
+
+  constexpr Halfedge halfedge() const { return m_halfedge; }
+  constexpr Index idx() const { return m_halfedge.idx() / 2; }
+  constexpr Index key() const { return m_halfedge.key() / 2; }
+  constexpr bool is_valid() const { return m_halfedge.is_valid(); }
+
+protected:
+  void advance(std::ptrdiff_t n) { m_halfedge += 2 * n; }
+
+  void print(std::ostream& os) const { os << 'e' << idx() << " on " << m_halfedge; }
+
+private:
+  Halfedge m_halfedge;
+};
+
+template <class Index>
+class Descriptor_storage<Edge_tag, Index>
+  : public Edge_of_halfedge<Descriptor<Halfedge_tag, Index>, Index>
+{
+public:
+  using Descriptor_storage::Edge_of_halfedge::Edge_of_halfedge;
+};
+
+template <class Index>
+class Descriptor_storage<Divided_edge_tag, Index>
+  : public Edge_of_halfedge<Descriptor<Divided_halfedge_tag, Index>, Index>
+{
+public:
+  using Descriptor_storage::Edge_of_halfedge::Edge_of_halfedge;
 };
 
 // A listed edge stores both. Made from its index alone it knows no halfedge, and stands
@@ -141,6 +198,7 @@ public:
   // null if the edge was made from its index alone
   constexpr Halfedge remembered_halfedge() const { return Halfedge(m_halfedge); }
   constexpr Index idx() const { return m_index; }
+  constexpr Index key() const { return m_index; }
   constexpr bool is_valid() const { return m_index != null_index<Index>; }
 
 protected:
@@ -176,7 +234,8 @@ descriptor converts to its index.
 
 <b>Null.</b> A default constructed descriptor names no element. It is the null descriptor of
 its kind, and its index is the largest value of `Index`; only that of an edge whose kind is
-`Edge_tag` is half of that.
+`Edge_tag` or `Divided_edge_tag` is half of that. An index that is too large for a mesh with halfedges of kind
+`Divided_halfedge_tag` may make it as well.
 
 <b>Order and hash.</b> Descriptors of one kind are compared by their indices, the null
 descriptor being the last, and are hashed by them, for \boost and the standard library.
@@ -186,8 +245,8 @@ Descriptors of different kinds can neither be compared nor converted.
 `Compact_surface_mesh::halfedge()` returns that one. Made from its index alone, it stands
 for the same halfedge always. Comparison, order and hash ignore what it remembers.
 
-\tparam Tag says of which kind the element is: `Vertex_tag`, `Halfedge_tag`, `Face_tag`, or,
-depending on the layout, `Edge_tag` or `Listed_edge_tag`
+\tparam Tag says of which kind the element is: `Vertex_tag` or `Face_tag`, or, depending on the
+layout, `Halfedge_tag` with `Edge_tag` or `Listed_edge_tag`, or `Divided_halfedge_tag` with `Divided_edge_tag`
 \tparam Index an unsigned integer type
 
 \cgalModels{Index, LessThanComparable, Hashable}
@@ -215,14 +274,15 @@ public:
   /// creates the descriptor of the element with index `i`.
   explicit Descriptor(size_type i);
 
-  /// creates the descriptor of the edge of `h`, which remembers `h`. Only for the kind `Edge_tag`.
+  /// creates the descriptor of the edge of `h`, which remembers `h`. Not for the kind `Listed_edge_tag`; if the kind
+  /// is `Divided_edge_tag`, that of `h` is `Divided_halfedge_tag`.
   explicit Descriptor(Descriptor<Halfedge_tag, Index> h);
 
   /// creates the descriptor of the edge with index `e`, which remembers its halfedge `h`. Only
   /// for the kind `Listed_edge_tag`.
   Descriptor(size_type e, Descriptor<Halfedge_tag, Index> h);
 
-  /// returns the halfedge that the edge remembers. Only for the kind `Edge_tag`.
+  /// returns the halfedge that the edge remembers. Not for the kind `Listed_edge_tag`.
   Descriptor<Halfedge_tag, Index> halfedge() const;
 
   /// returns the halfedge that the edge remembers, null if it was made from its index alone.
@@ -272,11 +332,11 @@ public:
   /// @{
 
   /// returns whether `a` and `b` are the same element, or null both.
-  friend constexpr bool operator==(const Descriptor& a, const Descriptor& b) { return a.idx() == b.idx(); }
+  friend constexpr bool operator==(const Descriptor& a, const Descriptor& b) { return a.key() == b.key(); }
   /// returns whether `a` and `b` differ.
-  friend constexpr bool operator!=(const Descriptor& a, const Descriptor& b) { return a.idx() != b.idx(); }
+  friend constexpr bool operator!=(const Descriptor& a, const Descriptor& b) { return a.key() != b.key(); }
   /// returns whether the index of `a` is smaller than that of `b`.
-  friend constexpr bool operator<(const Descriptor& a, const Descriptor& b) { return a.idx() < b.idx(); }
+  friend constexpr bool operator<(const Descriptor& a, const Descriptor& b) { return a.key() < b.key(); }
 
 #ifndef DOXYGEN_RUNNING
   template <class T> friend bool operator==(const Descriptor&, const T&) = delete;
@@ -297,13 +357,23 @@ public:
 };
 
 #ifndef DOXYGEN_RUNNING
-// The descriptors of a mesh whose layout numbers edges by halves of halfedges, or not.
-template <class Index, bool edge_is_half_of_halfedge>
+// The descriptors of a mesh, by what names halfedges in its layout, and by whether edges are numbered
+// by halves of these.
+template <class Index, class Halfedge_name, bool edge_is_half_of_halfedge>
 struct Descriptors
 {
   using Vertex_index = Descriptor<Vertex_tag, Index>;
   using Halfedge_index = Descriptor<Halfedge_tag, Index>;
   using Edge_index = Descriptor<std::conditional_t<edge_is_half_of_halfedge, Edge_tag, Listed_edge_tag>, Index>;
+  using Face_index = Descriptor<Face_tag, Index>;
+};
+
+template <class Index>
+struct Descriptors<Index, internal::Divided_index<Index>, true>
+{
+  using Vertex_index = Descriptor<Vertex_tag, Index>;
+  using Halfedge_index = Descriptor<Divided_halfedge_tag, Index>;
+  using Edge_index = Descriptor<Divided_edge_tag, Index>;
   using Face_index = Descriptor<Face_tag, Index>;
 };
 #endif

@@ -175,6 +175,8 @@ class Corner_table_layout
 public:
   /// the integer type of all indices.
   typedef Index_ Index;
+  /// names a halfedge: its index.
+  typedef Index_ Halfedge;
 
   /// whether `edge(h) == h / 2` and `opposite(h) == (h ^ 1)`.
   static constexpr bool edge_is_half_of_halfedge = false;

@@ -12,6 +12,7 @@
 
 #include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/Input_images.h>
+#include <CGAL/Compact_surface_mesh/internal/Divided_index.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Mask.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_builder.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_numbering.h>
@@ -79,12 +80,19 @@ class Schnyder_parents_layout
 {
   typedef internal::Schnyder_parents_records<References, Index_> Records;
   typedef internal::Schnyder_parents_operators<Records, Index_, internal::Schnyder_core_zone<Index_>> Core;
+  typedef typename Core::Side Side;
   typedef internal::Schnyder_parents_triangles<Records, Index_> Triangles;
   typedef internal::Mask<Index_, true> Mask;
 
 public:
   /// the integer type of all indices.
   typedef Index_ Index;
+  /// names a halfedge, and converts from and to its index.
+#ifdef DOXYGEN_RUNNING
+  typedef unspecified_type Halfedge;
+#else
+  typedef internal::Divided_index<Index_> Halfedge;
+#endif
 
   /// whether `edge(h) == h / 2` and `opposite(h) == (h ^ 1)`.
   static constexpr bool edge_is_half_of_halfedge = true;
@@ -155,51 +163,51 @@ public:
   /// @{
 
   /// returns the next halfedge counterclockwise around the face of `h`.
-  BOOST_FORCEINLINE Index next(Index h) const
+  BOOST_FORCEINLINE Halfedge next(Halfedge h) const
   {
     if (BOOST_LIKELY(is_in_core(h))) {
-      const auto s = core().next({ h / 6, static_cast<unsigned>(h % 6) });
+      const Side s = core().next(side(h));
       if (BOOST_LIKELY(s.x < m_numbering.core))
-        return 6 * s.x + s.k;
+        return Halfedge::of(s.x, s.k);
     }
     return next_outside(h);
   }
 
   /// returns the halfedge whose next one is `h`.
-  BOOST_FORCEINLINE Index prev(Index h) const
+  BOOST_FORCEINLINE Halfedge prev(Halfedge h) const
   {
     if (BOOST_LIKELY(is_in_core(h))) {
-      const auto s = core().prev({ h / 6, static_cast<unsigned>(h % 6) });
+      const Side s = core().prev(side(h));
       if (BOOST_LIKELY(s.x < m_numbering.core))
-        return 6 * s.x + s.k;
+        return Halfedge::of(s.x, s.k);
     }
     return prev_outside(h);
   }
 
   /// returns the other halfedge of the edge of `h`.
-  static Index opposite(Index h) { return h ^ 1; }
+  static Halfedge opposite(Halfedge h) { return Halfedge::with_code(h.code() ^ 1); }
 
   /// returns the vertex where `h` starts.
-  BOOST_FORCEINLINE Index source(Index h) const
+  BOOST_FORCEINLINE Index source(Halfedge h) const
   {
     if (BOOST_LIKELY(is_in_core(h)))
-      return core().source({ h / 6, static_cast<unsigned>(h % 6) });
+      return core().source(side(h));
     return source_outside(h);
   }
 
   /// returns the vertex where `h` ends.
-  BOOST_FORCEINLINE Index target(Index h) const
+  BOOST_FORCEINLINE Index target(Halfedge h) const
   {
     if (BOOST_LIKELY(is_in_core(h)))
-      return core().target({ h / 6, static_cast<unsigned>(h % 6) });
+      return core().target(side(h));
     return target_outside(h);
   }
 
   /// returns the face to the left of `h`, `null_index()` on a border.
-  BOOST_FORCEINLINE Index face(Index h) const
+  BOOST_FORCEINLINE Index face(Halfedge h) const
   {
     if (BOOST_LIKELY(is_in_core(h))) {
-      const auto f = core().face({ h / 6, static_cast<unsigned>(h % 6) });
+      const auto f = core().face(side(h));
       if (BOOST_LIKELY(f.x < m_numbering.core))
         return 2 * f.x + f.owner;
     }
@@ -207,39 +215,39 @@ public:
   }
 
   /// returns the edge of `h`.
-  static Index edge(Index h) { return h / 2; }
+  static Index edge(Halfedge h) { return h / 2; }
   /// returns the halfedge of `e` that starts at the vertex which owns `e`.
-  static Index halfedge_of_edge(Index e) { return 2 * e; }
+  static Halfedge halfedge_of_edge(Index e) { return static_cast<Index>(2 * e); }
 
   /// returns a halfedge whose target is `v`, always the same: a border halfedge if `v` lies on a
   /// border, `null_index()` if `v` is isolated.
-  Index halfedge_of_vertex(Index v) const
+  BOOST_FORCEINLINE Halfedge halfedge_of_vertex(Index v) const
   {
     if (BOOST_LIKELY(v < m_numbering.core))
-      return 6 * v + 1;
-    return m_mask.empty() ? triangles().halfedge_of_vertex(v) : m_mask.halfedge_of_vertex(triangles(), v);
+      return Halfedge::of(v, 1);
+    return halfedge_of_vertex_outside(v);
   }
 
   /// returns a halfedge whose face is `f`, always the same.
-  Index halfedge_of_face(Index f) const
+  BOOST_FORCEINLINE Halfedge halfedge_of_face(Index f) const
   {
     if (BOOST_LIKELY(f / 2 < m_numbering.core))
-      return 6 * (f / 2) + (f & 1 ? 5 : 0);
-    return m_mask.empty() ? triangles().halfedge_of_face(f) : m_mask.halfedge_of_face(triangles(), f);
+      return Halfedge::of(f / 2, f & 1 ? 5 : 0);
+    return halfedge_of_face_outside(f);
   }
 
   /// returns the halfedge from `u` to `v`, `null_index()` if they are not adjacent.
-  Index halfedge(Index u, Index v) const
+  Halfedge halfedge(Index u, Index v) const
   {
     const Index core = m_numbering.core;
     if (BOOST_UNLIKELY(u >= core || v >= core))
       return halfedge_outside(u, v);
     for (unsigned word = 0; word < 3; ++word)
       if (m_records.parent(u, word) == v)
-        return 6 * u + 2 * word;
+        return Halfedge::of(u, 2 * word);
     for (unsigned word = 0; word < 3; ++word)
       if (m_records.parent(v, word) == u)
-        return 6 * v + 2 * word + 1;
+        return Halfedge::of(v, 2 * word + 1);
     return null_index();
   }
 
@@ -297,11 +305,11 @@ public:
   {
     if (BOOST_UNLIKELY(v >= m_numbering.core))
       return degree_outside(v);
-    Index d = 0;
+    Index d = m_records.number_of_children(v) + 3;
     const auto count = [&d](Index) { ++d; };
     for_each_in_black(v, count);
     for_each_in_blue(v, count);
-    return d + 3 + m_records.number_of_children(v);
+    return d;
   }
 
   /// returns the vertices of `f` counterclockwise, from the target of `halfedge_of_face(f)` on;
@@ -309,8 +317,10 @@ public:
   std::array<Index, 3> vertices_of_face(Index f) const
   {
     const Index x = f / 2;
-    if (BOOST_UNLIKELY(x >= m_numbering.core))
-      return vertices_of_face_outside(f);
+    if (BOOST_UNLIKELY(x >= m_numbering.core)) {
+      const Index h = halfedge_of_face_outside(f), g = next_outside(h), k = next_outside(g);
+      return { target_outside(h), target_outside(g), target_outside(k) };
+    }
     if (f & 1)
       return { x, m_records.is_leaf(x) ? m_records.blue_parent(x) : m_records.last_child(x),
                m_records.black_parent(x) };
@@ -392,7 +402,8 @@ private:
 
   Core core() const { return Core{ m_records, {} }; }
   Triangles triangles() const { return Triangles{ m_records, m_numbering }; }
-  bool is_in_core(Index h) const { return h < 6 * m_numbering.core; }
+  bool is_in_core(Halfedge h) const { return h.code() < 8 * m_numbering.core; }
+  static Side side(Halfedge h) { return { h.quotient(), h.remainder() }; }
 
   BOOST_NOINLINE Index degree_outside(Index v) const
   {
@@ -421,27 +432,56 @@ private:
   {
     return m_mask.empty() ? triangles().face(h) : m_mask.face(triangles(), h);
   }
+  BOOST_NOINLINE Index halfedge_of_vertex_outside(Index v) const
+  {
+    return m_mask.empty() ? triangles().halfedge_of_vertex(v) : m_mask.halfedge_of_vertex(triangles(), v);
+  }
+  BOOST_NOINLINE Index halfedge_of_face_outside(Index f) const
+  {
+    return m_mask.empty() ? triangles().halfedge_of_face(f) : m_mask.halfedge_of_face(triangles(), f);
+  }
   BOOST_NOINLINE Index halfedge_outside(Index u, Index v) const
   {
     return m_mask.empty() ? triangles().halfedge(u, v) : m_mask.halfedge(triangles(), u, v);
   }
 
-  BOOST_NOINLINE std::array<Index, 3> vertices_of_face_outside(Index f) const
+  // The visitors of stars are called where they are passed to: if a function that is not inlined got their
+  // addresses, compilers would keep in memory what they refer to, in the core too.
+  template <class Visitor>
+  void for_each_adjacent_vertex_outside(Index v, Visitor&& visit) const
   {
-    const Index h = halfedge_of_face(f), g = next(h), k = next(g);
-    return { target(h), target(g), target(k) };
+    const Halfedge first = halfedge_of_vertex_outside(v);
+    Halfedge h = first;
+    while (!h.is_null()) {
+      visit(called_source(h));
+      h = next_into(h, first);
+    }
   }
 
   template <class Visitor>
-  BOOST_NOINLINE void for_each_adjacent_vertex_outside(Index v, Visitor&& visit) const
+  void for_each_incident_triangle_outside(Index v, Visitor&& visit) const
   {
-    internal::for_each_halfedge_into(*this, v, [&](Index h) { visit(source(h)); });
+    const Halfedge first = halfedge_of_vertex_outside(v);
+    Halfedge h = first;
+    while (!h.is_null()) {
+      const Index u = vertex_after(h);
+      if (u != null_index())
+        visit(u, called_source(h));
+      h = next_into(h, first);
+    }
   }
 
-  template <class Visitor>
-  BOOST_NOINLINE void for_each_incident_triangle_outside(Index v, Visitor&& visit) const
+  BOOST_NOINLINE Index called_source(Halfedge h) const { return source(h); }
+  // The vertex that follows h in its face, null on a border.
+  BOOST_NOINLINE Index vertex_after(Halfedge h) const
   {
-    internal::for_each_corner_at(*this, v, visit);
+    return face(h) == null_index() ? null_index() : target(next(h));
+  }
+  // The halfedge clockwise behind h, null if that is the first one.
+  BOOST_NOINLINE Halfedge next_into(Halfedge h, Halfedge first) const
+  {
+    const Halfedge following = opposite(next(h));
+    return following.code() == first.code() ? Halfedge() : following;
   }
 
   Records m_records;

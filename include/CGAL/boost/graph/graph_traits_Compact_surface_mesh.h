@@ -19,6 +19,7 @@
 #include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <boost/config.hpp>
 #include <boost/graph/graph_traits.hpp>
 
 #include <utility>
@@ -85,56 +86,56 @@ namespace CGAL {
 /// @{
 
 template <class P, class L>
-typename Compact_surface_mesh<P, L>::Vertex_index
+BOOST_FORCEINLINE typename Compact_surface_mesh<P, L>::Vertex_index
 source(typename Compact_surface_mesh<P, L>::Halfedge_index h, const Compact_surface_mesh<P, L>& g)
 {
   return g.source(h);
 }
 
 template <class P, class L>
-typename Compact_surface_mesh<P, L>::Vertex_index
+BOOST_FORCEINLINE typename Compact_surface_mesh<P, L>::Vertex_index
 source(typename Compact_surface_mesh<P, L>::Edge_index e, const Compact_surface_mesh<P, L>& g)
 {
   return g.source(g.halfedge(e));
 }
 
 template <class P, class L>
-typename Compact_surface_mesh<P, L>::Vertex_index
+BOOST_FORCEINLINE typename Compact_surface_mesh<P, L>::Vertex_index
 target(typename Compact_surface_mesh<P, L>::Halfedge_index h, const Compact_surface_mesh<P, L>& g)
 {
   return g.target(h);
 }
 
 template <class P, class L>
-typename Compact_surface_mesh<P, L>::Vertex_index
+BOOST_FORCEINLINE typename Compact_surface_mesh<P, L>::Vertex_index
 target(typename Compact_surface_mesh<P, L>::Edge_index e, const Compact_surface_mesh<P, L>& g)
 {
   return g.target(g.halfedge(e));
 }
 
 template <class P, class L>
-typename Compact_surface_mesh<P, L>::Halfedge_index
+BOOST_FORCEINLINE typename Compact_surface_mesh<P, L>::Halfedge_index
 next(typename Compact_surface_mesh<P, L>::Halfedge_index h, const Compact_surface_mesh<P, L>& g)
 {
   return g.next(h);
 }
 
 template <class P, class L>
-typename Compact_surface_mesh<P, L>::Halfedge_index
+BOOST_FORCEINLINE typename Compact_surface_mesh<P, L>::Halfedge_index
 prev(typename Compact_surface_mesh<P, L>::Halfedge_index h, const Compact_surface_mesh<P, L>& g)
 {
   return g.prev(h);
 }
 
 template <class P, class L>
-typename Compact_surface_mesh<P, L>::Halfedge_index
+BOOST_FORCEINLINE typename Compact_surface_mesh<P, L>::Halfedge_index
 opposite(typename Compact_surface_mesh<P, L>::Halfedge_index h, const Compact_surface_mesh<P, L>& g)
 {
   return g.opposite(h);
 }
 
 template <class P, class L>
-typename Compact_surface_mesh<P, L>::Edge_index
+BOOST_FORCEINLINE typename Compact_surface_mesh<P, L>::Edge_index
 edge(typename Compact_surface_mesh<P, L>::Halfedge_index h, const Compact_surface_mesh<P, L>& g)
 {
   return g.edge(h);
@@ -151,14 +152,14 @@ edge(typename Compact_surface_mesh<P, L>::Vertex_index u, typename Compact_surfa
 }
 
 template <class P, class L>
-typename Compact_surface_mesh<P, L>::Halfedge_index
+BOOST_FORCEINLINE typename Compact_surface_mesh<P, L>::Halfedge_index
 halfedge(typename Compact_surface_mesh<P, L>::Edge_index e, const Compact_surface_mesh<P, L>& g)
 {
   return g.halfedge(e);
 }
 
 template <class P, class L>
-typename Compact_surface_mesh<P, L>::Halfedge_index
+BOOST_FORCEINLINE typename Compact_surface_mesh<P, L>::Halfedge_index
 halfedge(typename Compact_surface_mesh<P, L>::Vertex_index v, const Compact_surface_mesh<P, L>& g)
 {
   return g.halfedge(v);
@@ -179,14 +180,14 @@ halfedge(typename Compact_surface_mesh<P, L>::Vertex_index u, typename Compact_s
 /// @{
 
 template <class P, class L>
-typename Compact_surface_mesh<P, L>::Face_index
+BOOST_FORCEINLINE typename Compact_surface_mesh<P, L>::Face_index
 face(typename Compact_surface_mesh<P, L>::Halfedge_index h, const Compact_surface_mesh<P, L>& g)
 {
   return g.face(h);
 }
 
 template <class P, class L>
-typename Compact_surface_mesh<P, L>::Halfedge_index
+BOOST_FORCEINLINE typename Compact_surface_mesh<P, L>::Halfedge_index
 halfedge(typename Compact_surface_mesh<P, L>::Face_index f, const Compact_surface_mesh<P, L>& g)
 {
   return g.halfedge(f);
@@ -285,7 +286,7 @@ typename Compact_surface_mesh<P, L>::Face_range faces(const Compact_surface_mesh
 /// @{
 
 template <class P, class L>
-Iterator_range<Out_edge_iterator<Compact_surface_mesh<P, L> > >
+BOOST_FORCEINLINE Iterator_range<Out_edge_iterator<Compact_surface_mesh<P, L> > >
 out_edges(typename Compact_surface_mesh<P, L>::Vertex_index v, const Compact_surface_mesh<P, L>& g)
 {
   using Iterator = Out_edge_iterator<Compact_surface_mesh<P, L> >;
@@ -294,7 +295,7 @@ out_edges(typename Compact_surface_mesh<P, L>::Vertex_index v, const Compact_sur
 }
 
 template <class P, class L>
-Iterator_range<In_edge_iterator<Compact_surface_mesh<P, L> > >
+BOOST_FORCEINLINE Iterator_range<In_edge_iterator<Compact_surface_mesh<P, L> > >
 in_edges(typename Compact_surface_mesh<P, L>::Vertex_index v, const Compact_surface_mesh<P, L>& g)
 {
   using Iterator = In_edge_iterator<Compact_surface_mesh<P, L> >;
@@ -303,7 +304,7 @@ in_edges(typename Compact_surface_mesh<P, L>::Vertex_index v, const Compact_surf
 }
 
 template <class P, class L>
-Iterator_range<Vertex_around_target_iterator<Compact_surface_mesh<P, L> > >
+BOOST_FORCEINLINE Iterator_range<Vertex_around_target_iterator<Compact_surface_mesh<P, L> > >
 adjacent_vertices(typename Compact_surface_mesh<P, L>::Vertex_index v, const Compact_surface_mesh<P, L>& g)
 {
   return g.vertices_around_target(g.halfedge(v));

@@ -19,10 +19,10 @@ namespace internal {
 template <class Layout, class Index, class Visitor>
 void for_each_halfedge_into(const Layout& layout, Index v, Visitor&& visit)
 {
-  const Index first = layout.halfedge_of_vertex(v);
+  const typename Layout::Halfedge first = layout.halfedge_of_vertex(v);
   if (first == Layout::null_index())
     return;
-  Index h = first;
+  typename Layout::Halfedge h = first;
   do {
     visit(h);
     h = layout.opposite(layout.next(h));
@@ -33,7 +33,7 @@ void for_each_halfedge_into(const Layout& layout, Index v, Visitor&& visit)
 template <class Layout, class Index, class Visitor>
 void for_each_corner_at(const Layout& layout, Index v, Visitor&& visit)
 {
-  for_each_halfedge_into(layout, v, [&](Index h) {
+  for_each_halfedge_into(layout, v, [&](typename Layout::Halfedge h) {
     if (layout.face(h) != Layout::null_index())
       visit(layout.target(layout.next(h)), layout.source(h));
   });
