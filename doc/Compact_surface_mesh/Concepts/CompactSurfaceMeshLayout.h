@@ -103,6 +103,9 @@ Index source(Halfedge h) const;
 Index target(Halfedge h) const;
 /// the face to the left of `h`, `null_index()` on a border.
 Index face(Halfedge h) const;
+/// whether `h` is known to be a side of a triangle. Never `true` if it is not, but `false` also where it takes
+/// time to find out.
+bool is_in_triangle(Halfedge h) const;
 /// the edge of `h`.
 Index edge(Halfedge h) const;
 /// one of the halfedges of edge `e`, always the same.

@@ -420,13 +420,13 @@ public:
   Vertex_index vertex(Edge_index e, unsigned int i) const { return target(halfedge(e, i)); }
 
   /// returns the next halfedge clockwise with the target of `h`.
-  Halfedge_index next_around_target(Halfedge_index h) const { return opposite(next(h)); }
+  BOOST_FORCEINLINE Halfedge_index next_around_target(Halfedge_index h) const { return opposite(next(h)); }
   /// returns the next halfedge counterclockwise with the target of `h`.
-  Halfedge_index prev_around_target(Halfedge_index h) const { return prev(opposite(h)); }
+  BOOST_FORCEINLINE Halfedge_index prev_around_target(Halfedge_index h) const { return prev(opposite(h)); }
   /// returns the next halfedge clockwise with the source of `h`.
-  Halfedge_index next_around_source(Halfedge_index h) const { return next(opposite(h)); }
+  BOOST_FORCEINLINE Halfedge_index next_around_source(Halfedge_index h) const { return next(opposite(h)); }
   /// returns the next halfedge counterclockwise with the source of `h`.
-  Halfedge_index prev_around_source(Halfedge_index h) const { return opposite(prev(h)); }
+  BOOST_FORCEINLINE Halfedge_index prev_around_source(Halfedge_index h) const { return opposite(prev(h)); }
 
   /// returns the number of edges at `v`, in time proportional to it.
   size_type degree(Vertex_index v) const { return m_layout.degree(v); }

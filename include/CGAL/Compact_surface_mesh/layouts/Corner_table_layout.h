@@ -244,6 +244,8 @@ public:
   Index target(Index h) const { return m_mask.empty() ? m_triangles.target(h) : m_mask.target(m_triangles, h); }
   /// returns the face to the left of `h`, `null_index()` on a border.
   Index face(Index h) const { return m_mask.empty() ? m_triangles.face(h) : m_mask.face(m_triangles, h); }
+  /// returns whether `h` is known to be a side of a triangle: always so in meshes without polygons.
+  bool is_in_triangle(Index h) const { return m_mask.empty() && m_triangles.face(h) != null_index(); }
   /// returns the edge of `h`, by the rank of a bit.
   Index edge(Index h) const { return static_cast<Index>(m_first_of_edge.rank((std::min)(h, opposite(h)))); }
   /// returns the halfedge of `e` with the smaller index, in logarithmic time by the selection of a bit.

@@ -214,6 +214,9 @@ public:
     return face_outside(h);
   }
 
+  /// returns whether `h` is known to be a side of a triangle: so it is in the core.
+  bool is_in_triangle(Halfedge h) const { return is_in_core(h); }
+
   /// returns the edge of `h`.
   static Index edge(Halfedge h) { return h / 2; }
   /// returns the halfedge of `e` that starts at the vertex which owns `e`.

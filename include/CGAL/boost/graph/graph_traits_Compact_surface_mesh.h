@@ -17,7 +17,7 @@
 #include <CGAL/Compact_surface_mesh/Compact_surface_mesh.h>
 
 #include <CGAL/Iterator_range.h>
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/iterator_Compact_surface_mesh.h>
 
 #include <boost/config.hpp>
 #include <boost/graph/graph_traits.hpp>
