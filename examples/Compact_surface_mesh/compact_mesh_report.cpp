@@ -20,6 +20,7 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -88,6 +89,18 @@ void show_progress(const std::string& step)
 /// \name Table
 /// @{
 
+struct Construction_and_traversals
+{
+  template <class Structure, class Labeled>
+  std::vector<Timed_kernel> operator()(Type<Structure>, const std::shared_ptr<const Labeled>& labeled,
+                                       const Triangle_soup& soup) const
+  {
+    std::vector<Timed_kernel> kernels = traversals(labeled);
+    kernels.push_back(construction_from_soup<Structure>(soup));
+    return kernels;
+  }
+};
+
 const int first_width = 31, width = 21;
 
 std::string fixed(double x, int digits)
@@ -128,21 +141,20 @@ void print_table(const Triangle_soup& soup, const Comparison& comparison)
 {
   const double n = static_cast<double>(soup.points.size());
   print_row("", cells_of(comparison, [](const Compared_mesh& m) { return m.name; }));
-  print_row("", cells_of(comparison, [](const Compared_mesh& m) { return m.order; }));
+  print_row("", cells_of(comparison, [](const Compared_mesh& m) { return m.order_name(); }));
   print_row("references per vertex",
             cells_of(comparison, [=](const Compared_mesh& m) { return fixed(m.connectivity_bytes / 4 / n, 2); }));
   print_row("connectivity bytes per vertex",
             cells_of(comparison, [=](const Compared_mesh& m) { return fixed(m.connectivity_bytes / n, 2); }));
   print_row("times, as ns per vertex", std::vector<std::string>(comparison.meshes().size(), "ns  /input  /our"));
-  print_times("building from the soup", comparison.build_times(rounds), 1e9 / n);
-  std::cout << "whole stars\n";
-  for (std::size_t k = 0; k < kernel_names.size(); ++k)
-    print_times("  " + kernel_names[k], comparison.star_times(k, rounds), 1e9 / n);
-  std::cout << "one operator at a time\n";
-  for (std::size_t k = 0; k < kernel_names.size(); ++k)
-    print_times("  " + kernel_names[k], comparison.operator_times(k, rounds), 1e9 / n);
+  for (const std::string way : { "call", "stars", "ranges", "circulators", "operators", "Boost" }) {
+    std::cout << way << '\n';
+    for (std::size_t k = 0; k < comparison.kernels().size(); ++k)
+      if (comparison.kernels()[k].way == way)
+        print_times("  " + comparison.kernels()[k].name, comparison.times(k, rounds), 1e9 / n);
+  }
   std::cout << "\nMedians of " << rounds << " interleaved runs; /input, /our: ratios to Surface_mesh in the order of "
-               "the input, and\nin the order of our parents layouts. Surface_mesh has no whole stars: it is timed one "
+               "the input, and\nin the order of our parents layouts. Surface_mesh has no stars: it is timed one "
                "operator at a time.\n\n";
 }
 
@@ -195,8 +207,8 @@ void report(const Arguments& arguments)
   const auto wants = [&](const std::string& name) { return arguments.layout == "all" || name == arguments.layout; };
   const std::size_t v = soup.points.size(), f = soup.triangles.size();
   {
-    const Comparison comparison(soup, wants, show_progress);
-    std::cout << arguments.mesh << ": " << v << " vertices, " << f << " faces, genus " << (f + 4 - 2 * v) / 4 << "\n\n";
+    const Comparison comparison(soup, wants, show_progress, Construction_and_traversals());
+    std::cout << arguments.mesh << ": " << v << " vertices, " << f << " faces\n\n";
     print_table(soup, comparison);
   }
   bool is_first = true;

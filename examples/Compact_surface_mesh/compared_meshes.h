@@ -19,8 +19,12 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/property_map.h>
 
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -78,22 +82,72 @@ inline double connectivity_bytes(const Surface_mesh& mesh)
 template <class Mesh>
 struct Labeled_mesh
 {
-  Mesh mesh;
-  std::vector<std::uint32_t> label;
+  using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
 
-  typename Mesh::Vertex_index vertex_with_label(std::uint32_t l) const
+  Mesh mesh;
+  std::vector<std::uint32_t> label; ///< in the order of the vertices
+
+  /// returns the vertices in the order of their labels, which are 0, 1, ...
+  std::vector<Vertex> vertices_by_label() const
   {
-    std::uint32_t v = 0;
-    while (label[v] != l)
-      ++v;
-    return typename Mesh::Vertex_index(v);
+    std::vector<Vertex> result(label.size());
+    auto l = label.begin();
+    for (const Vertex v : vertices(mesh))
+      result[*l++] = v;
+    return result;
+  }
+
+  Vertex vertex_with_label(std::uint32_t wanted) const
+  {
+    return *std::next(vertices(mesh).begin(), std::find(label.begin(), label.end(), wanted) - label.begin());
   }
 };
 
-/// builds a compact mesh. `labels` are those of the vertices of the soup.
+/// \name Structures
+/// What a comparison knows of a type of mesh: its name, how it is built, and the bytes of its
+/// connectivity.
+/// @{
+
+struct Surface_mesh_structure
+{
+  using Mesh = Surface_mesh;
+
+  static std::string name() { return "Surface_mesh"; }
+  static Mesh mesh_of(const Triangle_soup& soup) { return surface_mesh_of(soup); }
+  static double connectivity_bytes(const Mesh& mesh) { return example::connectivity_bytes(mesh); }
+};
+
+template <class Layout>
+struct Compact_structure
+{
+  using Mesh = CGAL::Compact_surface_mesh<Point, Layout>;
+
+  static std::string name() { return Layout::name(); }
+  static Mesh mesh_of(const Triangle_soup& soup) { return Mesh(soup.points, soup.triangles); }
+  static double connectivity_bytes(const Mesh& mesh) { return static_cast<double>(mesh.connectivity_bytes()); }
+};
+
+/// @}
+
+/// \name Construction
+/// `labels` are those of the vertices of the soup.
+/// @{
+
+/// builds a mesh that keeps the order of the soup.
+template <class Structure>
+std::shared_ptr<const Labeled_mesh<typename Structure::Mesh> >
+labeled_mesh(Type<Structure>, const Triangle_soup& soup, const std::vector<std::uint32_t>& labels)
+{
+  const auto result = std::make_shared<Labeled_mesh<typename Structure::Mesh> >();
+  result->mesh = Structure::mesh_of(soup);
+  result->label = labels;
+  return result;
+}
+
+/// builds a mesh that has an order of its own.
 template <class Layout>
 std::shared_ptr<const Labeled_mesh<CGAL::Compact_surface_mesh<Point, Layout> > >
-labeled_compact_mesh(const Triangle_soup& soup, const std::vector<std::uint32_t>& labels)
+labeled_mesh(Type<Compact_structure<Layout> >, const Triangle_soup& soup, const std::vector<std::uint32_t>& labels)
 {
   using Mesh = CGAL::Compact_surface_mesh<Point, Layout>;
   const auto result = std::make_shared<Labeled_mesh<Mesh> >();
@@ -106,11 +160,7 @@ labeled_compact_mesh(const Triangle_soup& soup, const std::vector<std::uint32_t>
   return result;
 }
 
-inline std::shared_ptr<const Labeled_mesh<Surface_mesh> >
-labeled_surface_mesh(const Triangle_soup& soup, const std::vector<std::uint32_t>& labels)
-{
-  return std::make_shared<Labeled_mesh<Surface_mesh> >(Labeled_mesh<Surface_mesh>{ surface_mesh_of(soup), labels });
-}
+/// @}
 
 } // namespace example
 

@@ -22,152 +22,145 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace example {
 
-/// The kernels, in the order in which `Compared_mesh` holds them.
-const std::vector<std::string> kernel_names = { "vertex degree", "vertex normal", "face", "breadth-first search" };
+/// lists the construction of a mesh from a soup, which must live as long.
+template <class Structure>
+Timed_kernel construction_from_soup(const Triangle_soup& soup)
+{
+  return { "construction from a soup", "call", false, [&soup]() -> Timed_function {
+            return [&soup] { return static_cast<double>(num_vertices(Structure::mesh_of(soup))); };
+          } };
+}
 
 /// A mesh, as a comparison sees it.
 struct Compared_mesh
 {
   std::string name;
-  std::string order;
+  std::size_t order; ///< which of the first two meshes has the same numbers: 0 the first, 1 the second
   double connectivity_bytes;
-  Timed_function build; // from the soup, points included
-  std::vector<Timed_function> by_stars, by_operators;
-  Timed_function bfs_by_boost;
-  std::vector<double> sums_over_faces; // with the labels, by stars and by operators
+  std::vector<Timed_kernel> kernels;
+  double sum_over_faces; ///< with the labels
+
+  std::string order_name() const { return order == 0 ? "input's order" : "our order"; }
 };
 
 /// The first two meshes are `Surface_mesh` in the order of the input, and in the order of the
-/// parents layouts. The others are the layouts, all in that second order: those that keep
-/// the input's are given it.
+/// parents layouts. Then come other structures in the order of the input, and the layouts, all
+/// in that second order: those that keep the input's are given it.
 class Comparison
 {
 public:
   using Progress = std::function<void(const std::string&)>;
   using Selection = std::function<bool(const std::string&)>;
 
-  Comparison(const Triangle_soup& soup, const Selection& wants, const Progress& progress)
+  /// \param soup the surface
+  /// \param wants says by its name whether a layout or one of the `Others` takes part
+  /// \param progress is told what is being done
+  /// \param kernels returns the list of kernels, as `kernels(Type<Structure>(), labeled_mesh, soup)`
+  ///   where `soup` is what the mesh is built from
+  /// \throws std::runtime_error if a vertex has no face
+  template <class Kernels, class... Others>
+  Comparison(const Triangle_soup& soup, const Selection& wants, const Progress& progress, const Kernels& kernels,
+             std::tuple<Others...> = std::tuple<>())
     : m_soup(soup), m_labels(soup.points.size()), m_progress(progress)
   {
     std::iota(m_labels.begin(), m_labels.end(), 0u);
+    check_vertices();
     order_soup();
-    progress("building Surface_mesh in the order of the input");
-    const auto surface_mesh = labeled_surface_mesh(m_soup, m_labels);
-    add("Surface_mesh", "input's order", surface_mesh, connectivity_bytes(surface_mesh->mesh),
-        [this] { return number_of_vertices(surface_mesh_of(m_soup)); });
-    progress("building Surface_mesh in our order");
-    const auto reordered = labeled_surface_mesh(m_ordered_soup, m_ordered_labels);
-    add("Surface_mesh", "our order", reordered, connectivity_bytes(reordered->mesh),
-        [this] { return number_of_vertices(surface_mesh_of(m_ordered_soup)); });
+    add<Surface_mesh_structure>(0, m_soup, m_labels, kernels);
+    add<Surface_mesh_structure>(1, m_ordered_soup, m_ordered_labels, kernels);
+    [[maybe_unused]] const auto add_other = [&](auto type) {
+      using Structure = typename decltype(type)::type;
+      if (wants(Structure::name()))
+        add<Structure>(0, m_soup, m_labels, kernels);
+    };
+    (add_other(Type<Others>()), ...);
     for_each_layout([&](auto type) {
-      using Layout = typename decltype(type)::type;
-      if (wants(Layout::name()))
-        add_layout<Layout>();
+      using Structure = Compact_structure<typename decltype(type)::type>;
+      if (wants(Structure::name()))
+        add_in_our_order<Structure>(kernels);
     });
     m_ordered_labels = std::vector<std::uint32_t>();
   }
 
   const std::vector<Compared_mesh>& meshes() const { return m_meshes; }
 
-  std::vector<Timing> build_times(int rounds) const
-  {
-    m_progress("timing: building");
-    return times([](const Compared_mesh& m) { return m.build; }, rounds);
-  }
+  /// the kernels, which are those of any mesh.
+  const std::vector<Timed_kernel>& kernels() const { return m_meshes.front().kernels; }
 
-  std::vector<Timing> star_times(std::size_t kernel, int rounds) const
+  /// times a kernel on all meshes.
+  /// \throws std::logic_error if a mesh has another result
+  std::vector<Timing> times(std::size_t kernel, int rounds) const
   {
-    m_progress("timing: " + kernel_names[kernel] + ", whole stars");
-    return checked_times(kernel, [=](const Compared_mesh& m) { return m.by_stars[kernel]; }, rounds);
-  }
-
-  std::vector<Timing> operator_times(std::size_t kernel, int rounds) const
-  {
-    m_progress("timing: " + kernel_names[kernel] + ", one operator at a time");
-    return checked_times(kernel, [=](const Compared_mesh& m) { return m.by_operators[kernel]; }, rounds);
-  }
-
-  std::vector<Timing> boost_bfs_times(int rounds) const
-  {
-    m_progress("timing: breadth-first search by Boost");
-    return checked_times(3, [](const Compared_mesh& m) { return m.bfs_by_boost; }, rounds);
+    const Timed_kernel& k = kernels()[kernel];
+    m_progress("timing: " + k.name + ", " + k.way);
+    std::vector<Timed_function> functions;
+    for (const Compared_mesh& m : m_meshes)
+      functions.push_back(m.kernels[kernel].prepare());
+    const std::vector<Timing> result = interleaved_times(functions, rounds);
+    for (std::size_t i = 1; i < result.size(); ++i)
+      if (i > 1 || !k.depends_on_numbers) {
+        const double expected = result[k.depends_on_numbers ? m_meshes[i].order : 0].result;
+        if (!(std::abs(result[i].result - expected) <= k.tolerance * std::abs(expected)))
+          throw std::logic_error(k.name + ", " + k.way + ": " + m_meshes[i].name + " has another result");
+      }
+    return result;
   }
 
 private:
+  void check_vertices() const
+  {
+    std::vector<bool> has_face(m_soup.points.size(), false);
+    for (const Triangle& t : m_soup.triangles)
+      for (const std::uint32_t v : t)
+        has_face[v] = true;
+    for (std::size_t v = 0; v < has_face.size(); ++v)
+      if (!has_face[v])
+        throw std::runtime_error("vertex " + std::to_string(v) + " has no face, and such meshes are not compared");
+  }
+
   // Sets the soup in the order of the parents layouts.
   void order_soup()
   {
     m_progress("ordering vertices and faces by a Schnyder wood");
-    const auto mesh = labeled_compact_mesh<CGAL::Schnyder_parents_layout<> >(m_soup, m_labels);
+    const auto mesh = labeled_mesh(Type<Compact_structure<CGAL::Schnyder_parents_layout<> > >(), m_soup, m_labels);
     m_ordered_soup = soup_of_mesh(mesh->mesh);
     m_ordered_labels = mesh->label;
   }
 
-  template <class Layout>
-  void add_layout()
+  template <class Structure, class Kernels>
+  void add_in_our_order(const Kernels& kernels)
   {
-    using Mesh = CGAL::Compact_surface_mesh<Point, Layout>;
-    m_progress("building " + Layout::name());
-    auto labeled = labeled_compact_mesh<Layout>(m_soup, m_labels);
+    m_progress("building " + Structure::name());
+    const auto labeled = labeled_mesh(Type<Structure>(), m_soup, m_labels);
     if (labeled->label == m_labels)
-      labeled = labeled_compact_mesh<Layout>(m_ordered_soup, m_ordered_labels);
-    add(Layout::name(), "our order", labeled, static_cast<double>(labeled->mesh.connectivity_bytes()),
-        [this] { return number_of_vertices(Mesh(m_soup.points, m_soup.triangles)); });
+      add<Structure>(1, m_ordered_soup, m_ordered_labels, kernels);
+    else
+      add<Structure>(1, labeled, m_soup, kernels);
   }
 
-  template <class Mesh>
-  static double number_of_vertices(const Mesh& mesh) { return static_cast<double>(num_vertices(mesh)); }
-
-  template <class Mesh>
-  void add(const std::string& name, const std::string& order,
-           const std::shared_ptr<const Labeled_mesh<Mesh> >& labeled, double bytes, const Timed_function& build)
+  template <class Structure, class Kernels>
+  void add(std::size_t order, const Triangle_soup& soup, const std::vector<std::uint32_t>& labels,
+           const Kernels& kernels)
   {
-    using Stars = std::conditional_t<std::is_same<Mesh, Surface_mesh>::value, By_operators, By_stars>;
-    const auto bfs = std::make_shared<Breadth_first_search<Mesh> >(labeled->mesh, labeled->vertex_with_label(0));
-    const auto label = [&](auto v) { return labeled->label[v]; };
-    m_meshes.push_back({ name, order, bytes, build, kernels<Stars>(labeled, bfs), kernels<By_operators>(labeled, bfs),
-                         [labeled, bfs] { return bfs->run_by_boost(); },
-                         { sum_over_faces<Stars>(labeled->mesh, label),
-                           sum_over_faces<By_operators>(labeled->mesh, label) } });
-    if (m_meshes.back().sums_over_faces != m_meshes.front().sums_over_faces)
-      throw std::logic_error("the faces of " + name + " are not those of Surface_mesh");
+    m_progress("building " + Structure::name());
+    add<Structure>(order, labeled_mesh(Type<Structure>(), soup, labels), soup, kernels);
   }
 
-  template <class Access, class Mesh>
-  static std::vector<Timed_function> kernels(const std::shared_ptr<const Labeled_mesh<Mesh> >& labeled,
-                                             const std::shared_ptr<Breadth_first_search<Mesh> >& bfs)
+  template <class Structure, class Kernels>
+  void add(std::size_t order, const std::shared_ptr<const Labeled_mesh<typename Structure::Mesh> >& labeled,
+           const Triangle_soup& soup, const Kernels& kernels)
   {
-    return { [labeled] { return sum_of_degrees<Access>(labeled->mesh); },
-             [labeled] { return sum_of_normals<Access>(labeled->mesh); },
-             [labeled] { return sum_over_faces<Access>(labeled->mesh, [](auto v) { return v.idx(); }); },
-             [labeled, bfs] { return bfs->template run<Access>(); } };
-  }
-
-  template <class Choice>
-  std::vector<Timing> times(const Choice& choice, int rounds) const
-  {
-    std::vector<Timed_function> functions;
-    for (const Compared_mesh& m : m_meshes)
-      functions.push_back(choice(m));
-    return interleaved_times(functions, rounds);
-  }
-
-  // Only the sum over faces depends on the order, which the second mesh shares with the layouts.
-  template <class Choice>
-  std::vector<Timing> checked_times(std::size_t kernel, const Choice& choice, int rounds) const
-  {
-    const std::vector<Timing> result = times(choice, rounds);
-    const double expected = result[1].result;
-    for (std::size_t i = kernel == 2 ? 1 : 0; i < result.size(); ++i)
-      if (!(std::abs(result[i].result - expected) <= 1e-9 * std::abs(expected)))
-        throw std::logic_error(kernel_names[kernel] + ": " + m_meshes[i].name + " has another result");
-    return result;
+    const Vertex_numbers<typename Structure::Mesh> number(labeled->mesh);
+    const double sum = sum_over_faces<By_operators>(labeled->mesh, [&](auto v) { return labeled->label[number(v)]; });
+    m_meshes.push_back({ Structure::name(), order, Structure::connectivity_bytes(labeled->mesh),
+                         kernels(Type<Structure>(), labeled, soup), sum });
+    if (sum != m_meshes.front().sum_over_faces)
+      throw std::logic_error("the faces of " + Structure::name() + " are not those of Surface_mesh");
   }
 
   const Triangle_soup& m_soup;

@@ -95,8 +95,8 @@ inline Triangle_soup globe(std::uint32_t num_circles, std::uint32_t num_meridian
   return soup;
 }
 
-/// cuts each triangle of a closed surface into four at the middles of its edges: n vertices
-/// become 4n - 6 on a sphere. The vertices of `soup` come first, in their order.
+/// cuts each triangle into four at the middles of its edges: n vertices become 4n - 6 on a
+/// sphere. The vertices of `soup` come first, in their order.
 inline Triangle_soup subdivided(const Triangle_soup& soup)
 {
   const CGAL::Corner_table<> table(soup.points.size(), soup.triangles);
@@ -105,11 +105,15 @@ inline Triangle_soup subdivided(const Triangle_soup& soup)
   result.triangles.reserve(4 * soup.triangles.size());
   result.points = soup.points;
   std::vector<std::uint32_t> middle(table.num_halfedges());
-  for (std::uint32_t h = 0; h < table.num_halfedges(); ++h)
-    if (h < table.opposite(h)) {
-      middle[h] = middle[table.opposite(h)] = static_cast<std::uint32_t>(result.points.size());
-      result.points.push_back(CGAL::midpoint(soup.points[table.source(h)], soup.points[table.target(h)]));
+  for (std::uint32_t h = 0; h < table.num_halfedges(); ++h) {
+    const std::uint32_t opposite = table.opposite(h); // null, which is larger than h, on a border
+    if (opposite < h) {
+      middle[h] = middle[opposite];
+      continue;
     }
+    middle[h] = static_cast<std::uint32_t>(result.points.size());
+    result.points.push_back(CGAL::midpoint(soup.points[table.source(h)], soup.points[table.target(h)]));
+  }
   for (std::uint32_t f = 0; f < table.num_faces(); ++f) {
     const Triangle& corner = soup.triangles[f];
     const std::uint32_t* const m = &middle[3 * f]; // of the sides from corners 0, 1, 2 on
