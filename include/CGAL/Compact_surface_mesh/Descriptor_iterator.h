@@ -10,6 +10,8 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
+#include <CGAL/Compact_surface_mesh/descriptors.h>
+
 #include <CGAL/Iterator_range.h>
 
 #include <boost/iterator/iterator_facade.hpp>
@@ -56,7 +58,7 @@ private:
   void decrement() { --m_index; }
   void advance(std::ptrdiff_t n) { m_index = static_cast<Index>(m_index + static_cast<Index>(n)); }
   bool equal(const Descriptor_iterator& other) const { return m_index == other.m_index; }
-  Descriptor dereference() const { return Descriptor(m_index); }
+  Descriptor dereference() const { return Descriptor(Valid_index<Index>{ m_index }); }
   std::ptrdiff_t distance_to(const Descriptor_iterator& other) const
   {
     return static_cast<std::ptrdiff_t>(other.m_index) - static_cast<std::ptrdiff_t>(m_index);

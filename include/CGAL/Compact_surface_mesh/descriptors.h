@@ -93,6 +93,13 @@ class Descriptor;
 template <class Index>
 inline constexpr Index null_index = (std::numeric_limits<Index>::max)();
 
+// The index of an element that exists, or one more.
+template <class Index>
+struct Valid_index
+{
+  Index value;
+};
+
 // What a descriptor stores, and how that becomes the index of an element.
 template <class Tag, class Index>
 class Descriptor_storage
@@ -100,6 +107,7 @@ class Descriptor_storage
 public:
   constexpr Descriptor_storage() = default;
   explicit constexpr Descriptor_storage(Index i) : m_index(i) {}
+  explicit constexpr Descriptor_storage(Valid_index<Index> i) : m_index(i.value) {}
 
   constexpr Index idx() const { return m_index; }
   constexpr Index name() const { return m_index; }
@@ -123,6 +131,7 @@ public:
 
   constexpr Descriptor_storage() = default;
   explicit constexpr Descriptor_storage(Index i) : m_name(i) {}
+  explicit constexpr Descriptor_storage(Valid_index<Index> i) : m_name(Name::of_valid(i.value)) {}
   explicit constexpr Descriptor_storage(Name name) : m_name(name) {}
 
   constexpr Index idx() const { return m_name; }
@@ -151,6 +160,8 @@ public:
   // null_index / 2 is what the null edge converts to
   explicit constexpr Edge_of_halfedge(Index e)
     : m_halfedge(e < null_index<Index> / 2 ? static_cast<Index>(2 * e) : null_index<Index>) {}
+  explicit constexpr Edge_of_halfedge(Valid_index<Index> e)
+    : m_halfedge(Valid_index<Index>{ static_cast<Index>(2 * e.value) }) {}
   explicit constexpr Edge_of_halfedge(Halfedge h) : m_halfedge(h) {}
 
   constexpr Halfedge halfedge() const { return m_halfedge; }
@@ -193,6 +204,7 @@ public:
 
   constexpr Descriptor_storage() = default;
   explicit constexpr Descriptor_storage(Index e) : m_index(e) {}
+  explicit constexpr Descriptor_storage(Valid_index<Index> e) : m_index(e.value) {}
   constexpr Descriptor_storage(Index e, Halfedge h) : m_index(e), m_halfedge(h.idx()) {}
 
   // null if the edge was made from its index alone

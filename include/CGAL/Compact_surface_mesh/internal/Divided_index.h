@@ -26,8 +26,10 @@ class Divided_index
 
 public:
   constexpr Divided_index() = default;
-  constexpr Divided_index(Index i) : m_code(i < null / 4 * 3 ? static_cast<Index>(i + 2 * (i / 6)) : null) {}
+  constexpr Divided_index(Index i) : m_code(i < null / 4 * 3 ? of_valid(i).m_code : null) {}
 
+  // i is no larger than the number of halfedges of a mesh
+  static constexpr Divided_index of_valid(Index i) { return with_code(static_cast<Index>(i + 2 * (i / 6))); }
   // 6q + r; q is at most an eighth of the largest value
   static constexpr Divided_index of(Index q, unsigned r) { return with_code(static_cast<Index>(8 * q + r)); }
   static constexpr Divided_index with_code(Index code)
