@@ -385,7 +385,10 @@ public:
   /// returns the halfedge whose next one is `h`.
   BOOST_FORCEINLINE Halfedge_index prev(Halfedge_index h) const { return Halfedge_index(m_layout.prev(h.name())); }
   /// returns the other halfedge of the edge of `h`.
-  BOOST_FORCEINLINE Halfedge_index opposite(Halfedge_index h) const { return Halfedge_index(m_layout.opposite(h.name())); }
+  BOOST_FORCEINLINE Halfedge_index opposite(Halfedge_index h) const
+  {
+    return Halfedge_index(m_layout.opposite(h.name()));
+  }
   /// returns the edge of `h`, which remembers `h`.
   BOOST_FORCEINLINE Edge_index edge(Halfedge_index h) const
   {
@@ -396,7 +399,10 @@ public:
   }
 
   /// returns a halfedge whose target is `v`: a border halfedge if `v` lies on a border, null if `v` is isolated.
-  BOOST_FORCEINLINE Halfedge_index halfedge(Vertex_index v) const { return Halfedge_index(m_layout.halfedge_of_vertex(v)); }
+  BOOST_FORCEINLINE Halfedge_index halfedge(Vertex_index v) const
+  {
+    return Halfedge_index(m_layout.halfedge_of_vertex(v));
+  }
   /// returns a halfedge of `f`.
   BOOST_FORCEINLINE Halfedge_index halfedge(Face_index f) const { return Halfedge_index(m_layout.halfedge_of_face(f)); }
   /// returns the halfedge that `e` remembers.

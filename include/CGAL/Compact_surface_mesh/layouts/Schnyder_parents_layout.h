@@ -20,7 +20,6 @@
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_records.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_sides.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_triangles.h>
-#include <CGAL/Compact_surface_mesh/layouts/internal/around_vertex.h>
 #include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
 #include <CGAL/Schnyder_woods/internal/Shelling.h>
 

@@ -38,6 +38,9 @@ namespace internal {
 // Where an iterator stands, which started at a halfedge.
 
 template <class Mesh>
+using Halfedge_step = typename Mesh::Halfedge_index (Mesh::*)(typename Mesh::Halfedge_index) const;
+
+template <class Mesh, Halfedge_step<Mesh> next, Halfedge_step<Mesh> prev>
 class At_halfedge
 {
   using Halfedge = typename Mesh::Halfedge_index;
@@ -50,42 +53,19 @@ public:
   BOOST_FORCEINLINE bool is_at(Halfedge start) const { return m_halfedge == start; }
   BOOST_FORCEINLINE bool equals(const Mesh&, const At_halfedge& other) const { return m_halfedge == other.m_halfedge; }
 
-protected:
+  BOOST_FORCEINLINE void advance(const Mesh& g, Halfedge) { m_halfedge = (g.*next)(m_halfedge); }
+  void retreat(const Mesh& g, Halfedge) { m_halfedge = (g.*prev)(m_halfedge); }
+
+private:
   Halfedge m_halfedge;
 };
 
 template <class Mesh>
-struct Around_target
-  : At_halfedge<Mesh>
-{
-  using At_halfedge<Mesh>::At_halfedge;
-  using Halfedge = typename Mesh::Halfedge_index;
-
-  BOOST_FORCEINLINE void advance(const Mesh& g, Halfedge) { this->m_halfedge = g.next_around_target(this->m_halfedge); }
-  void retreat(const Mesh& g, Halfedge) { this->m_halfedge = g.prev_around_target(this->m_halfedge); }
-};
-
+using Around_target = At_halfedge<Mesh, &Mesh::next_around_target, &Mesh::prev_around_target>;
 template <class Mesh>
-struct Around_source
-  : At_halfedge<Mesh>
-{
-  using At_halfedge<Mesh>::At_halfedge;
-  using Halfedge = typename Mesh::Halfedge_index;
-
-  BOOST_FORCEINLINE void advance(const Mesh& g, Halfedge) { this->m_halfedge = g.next_around_source(this->m_halfedge); }
-  void retreat(const Mesh& g, Halfedge) { this->m_halfedge = g.prev_around_source(this->m_halfedge); }
-};
-
+using Around_source = At_halfedge<Mesh, &Mesh::next_around_source, &Mesh::prev_around_source>;
 template <class Mesh>
-struct Around_face
-  : At_halfedge<Mesh>
-{
-  using At_halfedge<Mesh>::At_halfedge;
-  using Halfedge = typename Mesh::Halfedge_index;
-
-  BOOST_FORCEINLINE void advance(const Mesh& g, Halfedge) { this->m_halfedge = g.next(this->m_halfedge); }
-  void retreat(const Mesh& g, Halfedge) { this->m_halfedge = g.prev(this->m_halfedge); }
-};
+using Around_face = At_halfedge<Mesh, &Mesh::next, &Mesh::prev>;
 
 // The third vertex of a triangle is the source of the first side: so one step of three takes time.
 template <class Mesh>
