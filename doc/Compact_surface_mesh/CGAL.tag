@@ -6,6 +6,23 @@
     <title>Named Parameters</title>
     <filename>BGL/group__bgl__namedparameters.html</filename>
   </compound>
+  <compound kind="group">
+    <name>PkgStreamSupportEnumRef</name>
+    <title>I/O Enumerations</title>
+    <filename>Stream_support/group__PkgStreamSupportEnumRef.html</filename>
+  </compound>
+  <compound kind="page">
+    <name>IOStreamSupportedFileFormats</name>
+    <title>Supported File Formats</title>
+    <filename>Stream_support/IOStreamSupportedFileFormats.html</filename>
+    <docanchor file="Stream_support/IOStreamSupportedFileFormats.html" title="Object File Format (OFF)">IOStreamOFF</docanchor>
+    <docanchor file="Stream_support/IOStreamSupportedFileFormats.html" title="Wavefront Advanced Visualizer Object Format (OBJ)">IOStreamOBJ</docanchor>
+    <docanchor file="Stream_support/IOStreamSupportedFileFormats.html" title="STereoLithography (STL)">IOStreamSTL</docanchor>
+    <docanchor file="Stream_support/IOStreamSupportedFileFormats.html" title="Polygon File Format (PLY)">IOStreamPLY</docanchor>
+    <docanchor file="Stream_support/IOStreamSupportedFileFormats.html" title="GOCAD (TS)">IOStreamGocad</docanchor>
+    <docanchor file="Stream_support/IOStreamSupportedFileFormats.html" title="VTK (VTU / VTP)">IOStreamVTK</docanchor>
+    <docanchor file="Stream_support/IOStreamSupportedFileFormats.html" title="3D Manufacturing Format (3MF)">IOStream3MF</docanchor>
+  </compound>
   <compound kind="class">
     <name>EdgeListGraph</name>
     <filename>BGL/classEdgeListGraph.html</filename>

@@ -5,8 +5,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-// All of Compact_surface_mesh by one include: the class and its layouts, and what makes
-// it a graph for the algorithms of CGAL and Boost.
+// All of Compact_surface_mesh by one include: the class and its layouts, what makes it a graph for the algorithms
+// of CGAL and Boost, and its input and output.
 
 #ifndef CGAL_COMPACT_SURFACE_MESH_H
 #define CGAL_COMPACT_SURFACE_MESH_H
@@ -16,5 +16,8 @@
 #include <CGAL/Compact_surface_mesh/Compact_surface_mesh.h>
 #include <CGAL/boost/graph/graph_traits_Compact_surface_mesh.h>
 #include <CGAL/boost/graph/properties_Compact_surface_mesh.h>
+#include <CGAL/Compact_surface_mesh/IO/3MF.h>
+#include <CGAL/Compact_surface_mesh/IO/polygon_mesh_io.h>
+#include <CGAL/Compact_surface_mesh/IO/repaired_polygon_mesh_io.h>
 
 #endif // CGAL_COMPACT_SURFACE_MESH_H

@@ -68,6 +68,14 @@ using Fixed_connectivity_of =
 
 } // namespace internal
 
+namespace IO {
+namespace internal {
+
+template <class Mesh> class Mesh_filling;
+
+} // namespace internal
+} // namespace IO
+
 /*!
 \ingroup PkgCompactSurfaceMeshRef
 
@@ -281,9 +289,7 @@ public:
   Compact_surface_mesh(const PointRange& points, const PolygonRange& polygons,
                        const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    const std::size_t n = static_cast<std::size_t>(std::distance(std::begin(points), std::end(points)));
-    construct(Simple_triangulation<size_type>(n, polygons),
-              internal::Soup_input<PointRange, PolygonRange>(points, polygons), np);
+    assign_soup(points, polygons, np);
   }
 
   /// copies connectivity and points of `other`, but no other property maps.
@@ -554,6 +560,8 @@ public:
   /// @}
 
 private:
+  template <class Mesh> friend class IO::internal::Mesh_filling;
+
   size_type number_of(Vertex_tag) const { return static_cast<size_type>(m_layout.num_vertices()); }
   size_type number_of(Halfedge_tag) const { return static_cast<size_type>(m_layout.num_halfedges()); }
   size_type number_of(Edge_tag) const { return static_cast<size_type>(m_layout.num_edges()); }
@@ -581,6 +589,15 @@ private:
   {
     construct(Simple_triangulation<size_type>(g, vertex_index),
               internal::Graph_input<FaceGraph, PointMap, VertexIndexMap>(g, point, vertex_index), np);
+  }
+
+  // Makes an empty mesh that of a polygon soup; its property maps stay. If this throws, they may have been resized.
+  template <class PointRange, class PolygonRange, class NamedParameters>
+  void assign_soup(const PointRange& points, const PolygonRange& polygons, const NamedParameters& np)
+  {
+    const std::size_t n = static_cast<std::size_t>(std::distance(std::begin(points), std::end(points)));
+    construct(Simple_triangulation<size_type>(n, polygons),
+              internal::Soup_input<PointRange, PolygonRange>(points, polygons), np);
   }
 
   // The connectivity comes first, so that the memory for its construction is free again
