@@ -11,6 +11,7 @@
 #include "generated_surfaces.h"
 #include "layout_of_soup.h"
 #include "layout_oracle.h"
+#include "scattered_layout.h"
 #include "shelling_orders.h"
 #include "small_triangulations.h"
 #include "test_scale.h"
@@ -74,6 +75,7 @@ typedef testing::Types<CGAL::Corner_table_layout<>,
                        CGAL::Schnyder_parents_layout<5>,
                        CGAL::Schnyder_parents_layout<6>,
                        CGAL::Corner_table_layout<std::uint64_t>,
+                       test::Scattered_layout<>,
                        CGAL::Schnyder_parents_layout<4, std::uint64_t>>
     All_layouts;
 TYPED_TEST_SUITE(Layouts, All_layouts);
