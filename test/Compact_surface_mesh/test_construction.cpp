@@ -19,12 +19,14 @@ inline std::size_t num_steps = 0; // of all walks along the lists of a vertex
 
 #include "counted_allocation.h"
 #include "generated_triangulations.h"
+#include "real_mesh.h"
 #include "test_scale.h"
 
 #include <CGAL/Compact_surface_mesh.h>
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
 
-#include <CGAL/IO/OFF.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -33,7 +35,6 @@ inline std::size_t num_steps = 0; // of all walks along the lists of a vertex
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <string>
@@ -91,21 +92,6 @@ Soup subdivided_to(std::size_t num_vertices, Soup soup)
   return soup;
 }
 
-// A mesh of CGAL's data; no vertices where it could not be had.
-Soup real_mesh(const std::string& name)
-{
-  std::vector<Point> points;
-  Soup soup{0, {}};
-  std::vector<std::vector<std::uint32_t>> faces;
-  std::ifstream in(CGAL::data_file_path("meshes/" + name));
-  if (!in || !CGAL::IO::read_OFF(in, points, faces))
-    return soup;
-  soup.num_vertices = static_cast<std::uint32_t>(points.size());
-  for (const auto& face : faces)
-    soup.triangles.push_back({face.at(0), face.at(1), face.at(2)});
-  return soup;
-}
-
 // The meshes of a million vertices.
 class Million
   : public ::testing::TestWithParam<std::string>
@@ -116,7 +102,7 @@ protected:
     const std::size_t n = (std::max<std::size_t>)(20000, test::scaled(1000000));
     const std::string kind = GetParam();
     if (kind == "bunny00" || kind == "bear") {
-      m_soup = real_mesh(kind + ".off");
+      m_soup = test::real_mesh(kind + ".off");
       if (m_soup.num_vertices == 0)
         GTEST_SKIP() << "CGAL's meshes are not there: run scripts/fetch_meshes";
       m_soup = subdivided_to(n, m_soup);
@@ -156,6 +142,8 @@ TEST_P(Million, vertices_take_four_five_or_six_words_each_and_layouts_report_wha
   check_bytes<Parents_layout<5>>(m_soup, 20.1);
   check_bytes<Parents_layout<6>>(m_soup, 24.1);
   check_bytes<CGAL::Corner_table_layout<>>(m_soup, 54);
+  check_bytes<CGAL::SOT_layout<>>(m_soup, 25);
+  check_bytes<CGAL::SQuad_layout<>>(m_soup, 18.4);
 }
 
 // The same for the mesh class, and beside it Surface_mesh.

@@ -17,6 +17,8 @@
 #include "test_scale.h"
 
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/Schnyder_parents_layout.h>
 #include <CGAL/Schnyder_woods/random_planar_triangulation.h>
 
@@ -60,6 +62,14 @@ struct All_woods<CGAL::Schnyder_parents_layout<References, Index>>
   }
 };
 
+// Where targets are found by turning around a vertex, all those of a star take a time of the square of its degree.
+template <class Layout>
+constexpr std::uint32_t largest_degree = 100000;
+template <class Index>
+constexpr std::uint32_t largest_degree<CGAL::SOT_layout<Index>> = 4000;
+template <class Index>
+constexpr std::uint32_t largest_degree<CGAL::SQuad_layout<Index>> = 4000;
+
 template <class Layout>
 std::string difference(const test::Soup& soup)
 {
@@ -76,6 +86,9 @@ typedef testing::Types<CGAL::Corner_table_layout<>,
                        CGAL::Schnyder_parents_layout<6>,
                        CGAL::Corner_table_layout<std::uint64_t>,
                        test::Scattered_layout<>,
+                       CGAL::SOT_layout<>,
+                       CGAL::SQuad_layout<>,
+                       CGAL::SQuad_layout<std::uint64_t>,
                        CGAL::Schnyder_parents_layout<4, std::uint64_t>>
     All_layouts;
 TYPED_TEST_SUITE(Layouts, All_layouts);
@@ -114,8 +127,9 @@ TYPED_TEST(Layouts, agree_with_the_corner_table_on_stacked_triangulations_and_hu
 {
   const std::uint32_t n = static_cast<std::uint32_t>(test::scaled(100000));
   EXPECT_EQ(difference<TypeParam>(test::stacked_triangulation(n, 1)), "");
-  EXPECT_EQ(difference<TypeParam>(test::stacked_at_hub(n)), "");
-  EXPECT_EQ(difference<TypeParam>(test::double_wheel(n)), "");
+  const std::uint32_t m = (std::min)(n, largest_degree<TypeParam>);
+  EXPECT_EQ(difference<TypeParam>(test::stacked_at_hub(m)), "");
+  EXPECT_EQ(difference<TypeParam>(test::double_wheel(m)), "");
   // families and lists around the lengths at which they move to the side table
   for (std::uint32_t k = 5; k < 45; ++k) {
     EXPECT_EQ(difference<TypeParam>(test::stacked_at_hub(k)), "") << k;

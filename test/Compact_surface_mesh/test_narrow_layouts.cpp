@@ -16,6 +16,8 @@
 
 #include <CGAL/Compact_surface_mesh/internal/Divided_index.h>
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/Schnyder_parents_layout.h>
 
 #include <gtest/gtest.h>
@@ -36,7 +38,8 @@ using Narrow_layouts = ::testing::Types<
   CGAL::Schnyder_parents_layout<4, std::uint8_t>, CGAL::Schnyder_parents_layout<5, std::uint8_t>,
   CGAL::Schnyder_parents_layout<6, std::uint8_t>, CGAL::Schnyder_parents_layout<4, std::uint16_t>,
   CGAL::Schnyder_parents_layout<5, std::uint16_t>, CGAL::Schnyder_parents_layout<6, std::uint16_t>,
-  CGAL::Corner_table_layout<std::uint8_t>, CGAL::Corner_table_layout<std::uint16_t>>;
+  CGAL::Corner_table_layout<std::uint8_t>, CGAL::Corner_table_layout<std::uint16_t>,
+  CGAL::SOT_layout<std::uint8_t>, CGAL::SQuad_layout<std::uint8_t>>;
 TYPED_TEST_SUITE(Layout_of_narrow_indices, Narrow_layouts);
 
 TYPED_TEST(Layout_of_narrow_indices, holds_as_many_vertices_as_it_says_and_refuses_one_more)

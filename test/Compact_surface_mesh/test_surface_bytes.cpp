@@ -16,6 +16,8 @@
 #include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/Simple_triangulation.h>
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/Schnyder_parents_layout.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -176,6 +178,26 @@ void check_bytes(const Surface& surface)
   EXPECT_LE(bytes, (4 * References + 0.1) * n + 4 * surface.extra_words(References)) << References << " references";
 }
 
+// Three references a triangle, those at apices included, and two less for a quad; one a copy of a vertex, and
+// eight for the ways from fan to fan; a bit per halfedge with its ranks.
+double bound_of_opposites(const Surface& surface, double part_with_quad)
+{
+  const double num_pinched = static_cast<double>(surface.num_pinched);
+  const double further = static_cast<double>(surface.num_borders + 2 * surface.num_handles) + num_pinched;
+  const double triangles =
+    2 * (surface.soup.num_vertices + further) - 4 * static_cast<double>(surface.num_components);
+  const double edge_bytes = 3 * triangles / 8 * 9 / 8 + 1.5 * triangles * 8 / 512;
+  return 4 * (3 * triangles - 2 * part_with_quad * surface.soup.num_vertices + 9 * num_pinched) + edge_bytes + 100;
+}
+
+template <class Layout>
+void check_opposites(const Surface& surface, double part_with_quad)
+{
+  const double bytes = bytes_of<Layout>(surface.soup, surface.euler_characteristic());
+  std::cout << std::setw(11) << bytes / surface.soup.num_vertices << std::flush;
+  EXPECT_LE(bytes, bound_of_opposites(surface, part_with_quad)) << Layout::name();
+}
+
 class Million_vertices
   : public ::testing::TestWithParam<std::string>
 {};
@@ -188,6 +210,8 @@ TEST_P(Million_vertices, take_their_references_and_a_constant_for_each_component
   check_bytes<4>(surface);
   check_bytes<5>(surface);
   check_bytes<6>(surface);
+  check_opposites<CGAL::SOT_layout<>>(surface, 0);
+  check_opposites<CGAL::SQuad_layout<>>(surface, 0.9);
   const double n = surface.soup.num_vertices;
   std::cout << std::setw(11) << bytes_of<Corner_layout>(surface.soup, surface.euler_characteristic()) / n << std::endl;
 }

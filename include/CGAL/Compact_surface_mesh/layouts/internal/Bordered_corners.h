@@ -145,8 +145,10 @@ private:
         m_prev.emplace_back(next_in_fan(g), h);
       }
     }
-    std::sort(m_next.begin(), m_next.end());
-    std::sort(m_prev.begin(), m_prev.end());
+    for (auto* links : { &m_next, &m_prev }) {
+      std::sort(links->begin(), links->end());
+      links->shrink_to_fit();
+    }
   }
 
   // The neighboring triangle around the apex has the halfedge that follows in the same fan.

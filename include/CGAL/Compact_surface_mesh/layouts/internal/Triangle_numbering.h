@@ -49,15 +49,16 @@ public:
   explicit Triangle_numbering(const std::vector<Triangle_kind>& kinds)
   {
     const auto is_border = [](Triangle_kind kind) { return kind == Triangle_kind::border; };
-    const auto first = std::find_if(kinds.begin(), kinds.end(), [](Triangle_kind k) { return k != Triangle_kind::face; });
+    const auto is_face = [](Triangle_kind kind) { return kind == Triangle_kind::face; };
+    const auto first = std::find_if_not(kinds.begin(), kinds.end(), is_face);
     const auto end = std::find_if_not(first, kinds.end(), is_border);
-    const std::size_t num_faces = static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), Triangle_kind::face));
+    const std::size_t num_faces = static_cast<std::size_t>(std::count_if(kinds.begin(), kinds.end(), is_face));
     m_num_sides = static_cast<Index>(3 * num_faces);
     m_num_borders = static_cast<Index>(std::count_if(kinds.begin(), kinds.end(), is_border));
     m_first = static_cast<Index>(3 * (first - kinds.begin()));
-    if (std::all_of(end, kinds.end(), [](Triangle_kind kind) { return kind == Triangle_kind::face; }))
+    if (std::all_of(end, kinds.end(), is_face))
       return;
-    m_faces = Ranked_bits(kinds.size(), [&](std::size_t t) { return kinds[t] == Triangle_kind::face; });
+    m_faces = Ranked_bits(kinds.size(), [&](std::size_t t) { return is_face(kinds[t]); });
     if (m_num_borders != 0)
       m_borders = Ranked_bits(kinds.size(), [&](std::size_t t) { return is_border(kinds[t]); });
   }
