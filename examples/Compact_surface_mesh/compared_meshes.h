@@ -15,6 +15,8 @@
 #include <CGAL/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/property_map.h>
@@ -39,7 +41,9 @@ using Surface_mesh = CGAL::Surface_mesh<Point>;
 using Layouts = std::tuple<CGAL::Schnyder_parents_layout<4>,
                            CGAL::Schnyder_parents_layout<5>,
                            CGAL::Schnyder_parents_layout<6>,
-                           CGAL::Corner_table_layout<> >;
+                           CGAL::Corner_table_layout<>,
+                           CGAL::SOT_layout<>,
+                           CGAL::SQuad_layout<> >;
 
 template <class T>
 struct Type

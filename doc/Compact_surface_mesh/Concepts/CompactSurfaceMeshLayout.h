@@ -18,6 +18,8 @@ Orientation is as in `FaceGraph`: a face lies to the left of its halfedges,
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Schnyder_parents_layout<References, Index_>}
 \cgalHasModels{CGAL::Corner_table_layout<Index_>}
+\cgalHasModels{CGAL::SOT_layout<Index_>}
+\cgalHasModels{CGAL::SQuad_layout<Index_>}
 \cgalHasModelsEnd
 
 \sa `CGAL::Compact_surface_mesh`
