@@ -114,6 +114,20 @@ public:
   /// returns whether `root` is that of a cap.
   bool is_cap(const Root& root) const { return Table::face(root.base) < m_num_open_faces; }
 
+  /// returns the vertices around the apex of `root` counterclockwise, in the main root of a component from
+  /// \f$V_0\f$ to \f$V_1\f$.
+  std::vector<Index> vertices_around(const Root& root) const
+  {
+    std::vector<Index> family;
+    const Index first = table().opposite(table().next(root.base));
+    Index h = first;
+    do {
+      family.push_back(table().target(h));
+      h = table().next_around_source(h);
+    } while (h != first);
+    return family;
+  }
+
   /// returns the number of triangles before the mesh was closed.
   std::size_t num_open_faces() const { return m_num_open_faces; }
 

@@ -19,7 +19,8 @@
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_operators.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_records.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_sides.h>
-#include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_triangles.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_zone.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_triangles.h>
 #include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
 #include <CGAL/Schnyder_woods/internal/Shelling.h>
 
@@ -80,7 +81,10 @@ class Schnyder_parents_layout
   typedef internal::Schnyder_parents_records<References, Index_> Records;
   typedef internal::Schnyder_parents_operators<Records, Index_, internal::Schnyder_core_zone<Index_>> Core;
   typedef typename Core::Side Side;
-  typedef internal::Schnyder_parents_triangles<Records, Index_> Triangles;
+  typedef internal::Schnyder_parents_zone<Records, Index_> Zone;
+  typedef internal::Schnyder_parents_numbering<Index_> Numbering;
+  typedef internal::Schnyder_triangles<internal::Schnyder_parents_operators<Records, Index_, Zone>, Numbering, Index_>
+    Triangles;
   typedef internal::Mask<Index_, true> Mask;
 
 public:
@@ -403,7 +407,7 @@ private:
   }
 
   Core core() const { return Core{ m_records, {} }; }
-  Triangles triangles() const { return Triangles{ m_records, m_numbering }; }
+  Triangles triangles() const { return Triangles({ m_records, Zone{ m_records, m_numbering } }, m_numbering); }
   bool is_in_core(Halfedge h) const { return h.code() < 8 * m_numbering.core; }
   static Side side(Halfedge h) { return { h.quotient(), h.remainder() }; }
 
@@ -487,7 +491,7 @@ private:
   }
 
   Records m_records;
-  internal::Schnyder_parents_numbering<Index> m_numbering;
+  Numbering m_numbering;
   Mask m_mask;
 };
 

@@ -14,6 +14,7 @@
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_numbering.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_records.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_sectors.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_wood_sides.h>
 #include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
 
 #include <CGAL/assertions.h>
@@ -46,13 +47,9 @@ public:
   Schnyder_parents_builder(const Closed_triangulation<Index>& t, const Schnyder_wood& wood,
                            Records& records, Numbering& numbering)
     : m_triangulation(t), m_table(t.table()), m_wood(wood), m_records(records), m_numbering(numbering),
-      m_num_vertices(t.first_apex()), m_red_edge(m_num_vertices, Table::null())
-  {
-    for (std::size_t h = 0; h < m_table.num_halfedges(); ++h)
-      if (m_wood.is_out(h, red) && m_table.source(static_cast<Index>(h)) < m_num_vertices)
-        m_red_edge[m_table.source(static_cast<Index>(h))] = static_cast<Index>(h);
-    m_sectors = Schnyder_sectors<Index>(m_table, m_wood, m_red_edge);
-  }
+      m_num_vertices(t.first_apex()), m_red_edge(red_edges_out(m_table, wood, m_num_vertices)),
+      m_sectors(m_table, wood, m_red_edge)
+  {}
 
   // Writes the records and all of the numbering but what is dead.
   // Throws Mesh_defect_exception if there are too many records.
@@ -80,11 +77,10 @@ public:
     m_records.long_lists.shrink_to_fit();
   }
 
-  // The record of the sector of corner c, once the records are written.
-  Index record_of_corner(Index c) const { return m_number[m_sectors.sector(m_table, c)]; }
+  // The sides of the halfedges, once the records are written.
+  Schnyder_wood_sides<Index> sides() const { return { m_table, m_wood, m_sectors, m_number }; }
 
   // The record of each vertex but the apices, and of further sectors behind them.
-  const std::vector<Index>& records_of_vertices() const { return m_number; }
   std::vector<Index> release_records_of_vertices() { return std::move(m_number); }
 
 private:
@@ -136,7 +132,7 @@ private:
   {
     Index border = m_numbering.border, cap = m_numbering.caps;
     for (const Root& root : m_triangulation.roots()) {
-      const std::vector<Index> family = family_of(root);
+      const std::vector<Index> family = m_triangulation.vertices_around(root);
       Index& next = m_triangulation.is_cap(root) ? cap : border;
       const Index begin = next, end = static_cast<Index>(begin + family.size());
       next = end;
@@ -151,48 +147,12 @@ private:
     }
   }
 
-  // The vertices around an apex, counterclockwise from V_0 to V_1.
-  std::vector<Index> family_of(const Root& root) const
-  {
-    std::vector<Index> family;
-    const Index first = m_table.opposite(m_table.next(root.base));
-    Index h = first;
-    do {
-      family.push_back(m_table.target(h));
-      h = m_table.next_around_source(h);
-    } while (h != first);
-    return family;
-  }
-
-  // The fans of a vertex are linked to a ring, in the order of their records; the first one
-  // has the vertex.
   void number_fans()
   {
-    std::vector<std::pair<Index, Index>> fans; // original, record
-    const std::vector<Index>& copies = m_triangulation.copies();
-    for (std::size_t i = 0; i < copies.size(); ++i) {
-      fans.emplace_back(copies[i], m_number[m_triangulation.first_copy() + i]);
-      fans.emplace_back(copies[i], m_number[copies[i]]);
-    }
-    std::sort(fans.begin(), fans.end());
-    fans.erase(std::unique(fans.begin(), fans.end()), fans.end());
-    m_numbering.fans.reserve(fans.size());
-    std::vector<Index> dead;
-    for (std::size_t i = 0, end; i < fans.size(); i = end) {
-      for (end = i; end < fans.size() && fans[end].first == fans[i].first; ++end)
-        if (end != i)
-          dead.push_back(fans[end].second);
-      for (std::size_t j = i; j < end; ++j) {
-        const Index x = fans[j].second;
-        set_flag(x, 2, Records::has_fans, true);
-        m_numbering.fans.push_back({ x, fans[i].second, fans[j == i ? end - 1 : j - 1].second,
-                                     fans[j + 1 == end ? i : j + 1].second });
-      }
-    }
-    std::sort(m_numbering.fans.begin(), m_numbering.fans.end(),
-              [](const auto& a, const auto& b) { return a.record < b.record; });
-    std::sort(dead.begin(), dead.end());
-    m_numbering.vertices = Filled_slots<Index>(m_num_vertices, std::move(dead));
+    m_numbering.fans = Schnyder_fans<Index>(m_triangulation.copies(), m_triangulation.first_copy(), m_number);
+    for (const auto& fan : m_numbering.fans)
+      set_flag(fan.record, 2, Records::has_fans, true);
+    m_numbering.vertices = Filled_slots<Index>(m_num_vertices, m_numbering.fans.further_fans());
   }
 
   // Vertices are not in the core if something is hidden around them, or if they or a neighbor
@@ -387,20 +347,14 @@ private:
   void sort_sectors()
   {
     const std::size_t num_further = m_sectors.num_further();
-    std::vector<Index> names(num_further);
-    for (std::size_t i = 0; i < num_further; ++i)
-      names[i] = static_cast<Index>(m_num_vertices + i);
-    const auto vertex = [this](Index name) { return m_number[m_sectors.vertex_of_further(name)]; };
-    std::sort(names.begin(), names.end(), [&](Index a, Index b) {
-      return std::make_pair(vertex(a), a) < std::make_pair(vertex(b), b);
-    });
+    const std::vector<Index> names = m_sectors.further_sectors_by(m_number);
     const std::vector<typename Records::Record> unsorted(
         m_records.records.begin() + static_cast<std::ptrdiff_t>(m_num_vertices), m_records.records.end());
     for (std::size_t i = 0; i < num_further; ++i) {
       const Index x = static_cast<Index>(m_num_vertices + i);
       m_records.records[x] = unsorted[names[i] - m_num_vertices];
       m_number[names[i]] = x;
-      set_index(x, 0, vertex(names[i]));
+      set_index(x, 0, m_number[m_sectors.vertex_of_further(names[i])]);
       if (m_records.is_leaf(x))
         continue;
       for (Index child = m_records.first_child(x); child <= m_records.last_child(x); ++child)

@@ -12,10 +12,10 @@
 
 #include <CGAL/Compact_surface_mesh/internal/Emptied_on_move.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Filled_slots.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_fans.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_special_copies.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace internal {
@@ -36,30 +36,14 @@ Records off the border have slots for their three edges and two faces, others fo
 black edge and the face B, and every cap has one for its face. Slots that nothing lives in are
 filled by the last ones: those of the edges and faces that V_0 and V_1 of a component do not have,
 of the second copy of a special edge, and of vertices that are further fans of another one.
-
-Each of the two copies of a special edge has a live side, whose face it bounds. The dead side of the
-first copy names the live side of the second one.
 */
 template <class Index>
 struct Schnyder_parents_numbering
 {
-  // A copy of a special edge: its slot, that of the other copy, and the last bits of their live sides.
-  struct Copy
-  {
-    Index slot, other;
-    unsigned char live, other_live;
-  };
-
-  // A fan of a vertex with several ones, and its neighbors among these.
-  struct Fan
-  {
-    Index record, first, prev, next;
-  };
-
   Emptied_on_move<Index> core, border, caps, isolated, sectors, end;
   Filled_slots<Index> vertices, edges, faces;
-  std::vector<Copy> copies; // sorted by slots
-  std::vector<Fan> fans;    // sorted by records
+  Schnyder_special_copies<Index> copies;
+  Schnyder_fans<Index> fans;
 
   bool on_border(Index x) const { return border <= x && x < isolated; }
 
@@ -86,31 +70,20 @@ struct Schnyder_parents_numbering
   Index cap_slot(Index x) const { return static_cast<Index>(border + place(end) + (x - caps) / 3); }
   Index num_face_slots() const { return cap_slot(isolated); }
 
-  // The first record of the family of the cap with this slot, or `end` if it is no cap's.
-  Index cap_of_face(Index slot) const
+  // A cap's face is a hole, named by the first record of the family.
+  Schnyder_face<Index> face_of_slot(Index slot) const
   {
+    typedef Schnyder_face<Index> Face;
     const Index first = cap_slot(caps);
-    return static_cast<Index>(slot < first ? Index(end) : caps + 3 * (slot - first));
-  }
-  Index record_of_face(Index slot) const { return slot < 2 * border ? slot / 2 : record(slot - border); }
-
-  const Fan& fan(Index x) const
-  {
-    return *std::lower_bound(fans.begin(), fans.end(), x, [](const Fan& f, Index y) { return f.record < y; });
-  }
-
-  // The copy with this slot, if it is one.
-  const Copy* special_copy(Index slot) const
-  {
-    const auto it = std::lower_bound(copies.begin(), copies.end(), slot,
-                                     [](const Copy& c, Index s) { return c.slot < s; });
-    return it == copies.end() || it->slot != slot ? nullptr : &*it;
+    if (slot >= first)
+      return { caps + 3 * (slot - first), Face::hole };
+    return { slot < 2 * border ? slot / 2 : record(slot - border),
+             slot < 2 * border && slot % 2 == 0 ? Face::A : Face::B };
   }
 
   std::size_t bytes() const
   {
-    return vertices.bytes() + edges.bytes() + faces.bytes() + copies.capacity() * sizeof(Copy)
-         + fans.capacity() * sizeof(Fan);
+    return vertices.bytes() + edges.bytes() + faces.bytes() + copies.bytes() + fans.bytes();
   }
 
 private:

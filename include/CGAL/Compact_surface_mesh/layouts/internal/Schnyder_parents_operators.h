@@ -10,23 +10,12 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
+#include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_side.h>
+
 #include <boost/config.hpp>
 
 namespace CGAL {
 namespace internal {
-
-// The zones of a mesh differ in the answers to what the operators ask below. In the core, all
-// neighbors of a record are ordinary vertices.
-template <class Index>
-struct Schnyder_core_zone
-{
-  static constexpr bool has_holes = false;
-  static bool on_border(Index) { return false; }
-  static Index vertex(Index x) { return x; }
-  static Index last_sector(Index x) { return x; }
-  static Index next_fan(Index x) { return x; }
-  static Index prev_fan(Index x) { return x; }
-};
 
 /*
 The raw operators of the parents layout. A side is a halfedge named by the vertex x that
@@ -55,28 +44,9 @@ go from one fan to the next.
 template <class Records, class Index, class Zone>
 struct Schnyder_parents_operators
 {
-  struct Side
-  {
-    // Integer is wider than Index where indices are narrow: arithmetic promotes them.
-    template <class Integer>
-    Side(Integer x, unsigned k)
-      : x(static_cast<Index>(x)), k(k)
-    {}
-
-    Index x;
-    unsigned k;
-  };
-  enum Owner : unsigned { A = 0, B = 1, hole = 2 };
-  struct Face
-  {
-    template <class Integer>
-    Face(Integer x, Owner owner)
-      : x(static_cast<Index>(x)), owner(owner)
-    {}
-
-    Index x;
-    Owner owner; // hole: x is a vertex around the apex
-  };
+  typedef Schnyder_side<Index> Side;
+  typedef Schnyder_face<Index> Face;
+  static constexpr typename Face::Owner A = Face::A, B = Face::B, hole = Face::hole;
 
   const Records& r;
   Zone zone;

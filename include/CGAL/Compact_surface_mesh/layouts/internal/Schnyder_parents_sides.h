@@ -13,7 +13,6 @@
 #include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_builder.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_numbering.h>
-#include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_triangles.h>
 #include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
 
 #include <algorithm>
@@ -31,13 +30,12 @@ class Schnyder_parents_sides
   typedef Schnyder_parents_records<References, Index> Records;
   typedef Schnyder_parents_numbering<Index> Numbering;
   typedef Schnyder_parents_builder<References, Index> Builder;
-  typedef Schnyder_parents_triangles<Records, Index> Triangles;
-  typedef typename Triangles::Side Side;
+  typedef Schnyder_side<Index> Side;
   typedef Corner_table<Index> Table;
 
 public:
   Schnyder_parents_sides(const Closed_triangulation<Index>& t, const Schnyder_wood& wood, const Builder& builder)
-    : m_triangulation(t), m_table(t.table()), m_wood(wood), m_builder(builder)
+    : m_triangulation(t), m_table(t.table()), m_wood(wood), m_side(builder.sides())
   {}
 
   // Finds the slots that are dead, and the copies of special edges.
@@ -53,13 +51,14 @@ public:
   }
 
   // The number of each halfedge of the triangulation but those at apices, which get null.
+  template <class Triangles>
   std::vector<Index> halfedges(const Triangles& triangles) const
   {
     std::vector<Index> result(m_table.num_halfedges(), Table::null());
     for (std::size_t i = 0; i < result.size(); ++i) {
       const Index h = static_cast<Index>(i);
       if ((std::max)(m_table.source(h), m_table.target(h)) < m_triangulation.first_apex())
-        result[h] = triangles.halfedge(side(h));
+        result[h] = triangles.halfedge(m_side(h));
     }
     return result;
   }
@@ -82,8 +81,8 @@ private:
   {
     for (const auto& component : m_triangulation.components()) {
       const Index base = m_triangulation.roots()[component.first_root].base;
-      const Index v0 = m_builder.records_of_vertices()[m_table.target(base)];
-      const Index v1 = m_builder.record_of_corner(base);
+      const Index v0 = m_side.record[m_table.target(base)];
+      const Index v1 = m_side.record_of_corner(base);
       for (const Side s : { Side{ v0, 2 }, Side{ v0, 4 }, Side{ v1, 4 } })
         bury_edge(numbering, s, dead);
       for (const Index x : { v0, v1 })
@@ -94,33 +93,12 @@ private:
   // The first copy of a special edge has the edge.
   void number_special_copies(Numbering& numbering, Dead_slots& dead) const
   {
-    for (std::size_t i = 0; i < m_table.num_halfedges(); ++i) {
-      const Index h = static_cast<Index>(i), o = m_table.opposite(h);
-      if (!m_wood.is_special(h) || o < h)
-        continue;
-      Side first = side(h), second = side(o);
-      if (numbering.edge_slot(second.x, second.k) < numbering.edge_slot(first.x, first.k))
-        std::swap(first, second);
-      const Index slot = numbering.edge_slot(first.x, first.k), other = numbering.edge_slot(second.x, second.k);
-      const unsigned char live = first.k & 1, other_live = second.k & 1;
-      numbering.copies.push_back({ slot, other, live, other_live });
-      numbering.copies.push_back({ other, slot, other_live, live });
-      dead.irregular.push_back(first.x);
-      bury_edge(numbering, second, dead);
-    }
-    std::sort(numbering.copies.begin(), numbering.copies.end(),
-              [](const auto& a, const auto& b) { return a.slot < b.slot; });
-    numbering.copies.shrink_to_fit();
-  }
-
-  // The side of h in the copy of its edge that bounds its face.
-  Side side(Index h) const
-  {
-    const Index corner = m_wood.is_outgoing(h) ? h : m_table.next(h);
-    const unsigned back = m_wood.is_outgoing(h) ? 0 : 1;
-    if (m_wood.color(h) == red) // between the first and the last sector
-      return { m_builder.records_of_vertices()[m_table.vertex(corner)], back };
-    return { m_builder.record_of_corner(corner), (m_wood.color(h) == blue ? 2 : 4) + back };
+    const auto slot = [&](Side s) { return numbering.edge_slot(s.x, s.k); };
+    numbering.copies = Schnyder_special_copies<Index>(
+      m_table, m_wood, m_side, slot, [&](Side second, Side first) {
+        dead.irregular.push_back(first.x);
+        bury_edge(numbering, second, dead);
+      });
   }
 
   static Filled_slots<Index> filled(std::size_t num_slots, std::vector<Index>& dead)
@@ -132,7 +110,7 @@ private:
   const Closed_triangulation<Index>& m_triangulation;
   const Table& m_table;
   const Schnyder_wood& m_wood;
-  const Builder& m_builder;
+  const Schnyder_wood_sides<Index> m_side;
 };
 
 } // namespace internal

@@ -23,6 +23,34 @@
 namespace CGAL {
 namespace internal {
 
+// The halfedge out of each vertex that is red, null if the vertex is isolated; but for apices, which follow
+// the first `num_vertices` vertices.
+template <class Index>
+std::vector<Index> red_edges_out(const Corner_table<Index>& table, const Schnyder_wood& wood, std::size_t num_vertices)
+{
+  std::vector<Index> result(num_vertices, Corner_table<Index>::null());
+  for (std::size_t h = 0; h < table.num_halfedges(); ++h)
+    if (wood.is_out(h, red) && table.source(static_cast<Index>(h)) < num_vertices)
+      result[table.source(static_cast<Index>(h))] = static_cast<Index>(h);
+  return result;
+}
+
+// The last sector of a vertex x, whose further sectors are among those in [begin, end), which are sorted by
+// their vertices, vertex(s).
+template <class Index, class VertexOfSector>
+Index last_sector_of(Index x, Index begin, Index end, const VertexOfSector& vertex)
+{
+  const Index first = begin;
+  while (begin < end) {
+    const Index middle = begin + (end - begin) / 2;
+    if (vertex(middle) <= x)
+      begin = middle + 1;
+    else
+      end = middle;
+  }
+  return begin != first && vertex(begin - 1) == x ? static_cast<Index>(begin - 1) : x;
+}
+
 // The sectors of the vertices of a wood: what the special edges at a vertex and its red edge out
 // part. The first one, counterclockwise behind the red edge, has the name of its vertex; further
 // ones have the names from the number of vertices on, those of a vertex in counterclockwise order.
@@ -34,8 +62,7 @@ class Schnyder_sectors
 public:
   Schnyder_sectors() = default;
 
-  // `red_edge` is the halfedge out of each vertex that is red; apices, which follow the
-  // other vertices, have none.
+  // `red_edge` is as from red_edges_out().
   Schnyder_sectors(const Table& table, const Schnyder_wood& wood, const std::vector<Index>& red_edge)
     : m_num_vertices(red_edge.size())
   {
@@ -68,6 +95,18 @@ public:
 
   std::size_t num_further() const { return m_vertex_of_further.size(); }
   Index vertex_of_further(Index name) const { return m_vertex_of_further[name - m_num_vertices]; }
+
+  // The names of the further sectors, sorted by the numbers of their vertices.
+  std::vector<Index> further_sectors_by(const std::vector<Index>& number) const
+  {
+    std::vector<Index> names(num_further());
+    for (std::size_t i = 0; i < names.size(); ++i)
+      names[i] = static_cast<Index>(m_num_vertices + i);
+    std::sort(names.begin(), names.end(), [&](Index a, Index b) {
+      return std::make_pair(number[vertex_of_further(a)], a) < std::make_pair(number[vertex_of_further(b)], b);
+    });
+    return names;
+  }
 
   // The sector in which corner c is.
   Index sector(const Table& table, Index c) const

@@ -1,0 +1,80 @@
+// Copyright (c) 2026  The Compact_surface_mesh authors.
+// All rights reserved.
+//
+// This file is part of Compact_surface_mesh, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_SCHNYDER_SPECIAL_COPIES_H
+#define CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_SCHNYDER_SPECIAL_COPIES_H
+
+#include <CGAL/license/Compact_surface_mesh.h>
+
+#include <CGAL/Compact_surface_mesh/Corner_table.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_side.h>
+#include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace internal {
+
+// The two copies of each special edge, by the slots that they have as edges. Each copy has a live side, whose
+// face it bounds. The edge lives in the slot of the first copy, whose dead side names the live side of the second.
+template <class Index>
+class Schnyder_special_copies
+{
+  typedef Schnyder_side<Index> Side;
+
+public:
+  struct Copy
+  {
+    Index slot, other;
+    unsigned char live, other_live; // the last bits of the live sides
+  };
+
+  Schnyder_special_copies() = default;
+
+  // side(h) is the side of a halfedge in the copy of its edge that bounds its face, and slot(s) the
+  // slot of the edge of s. Calls second_copy(s, first) for each live side s of a second copy, with that of the first.
+  template <class SideOfHalfedge, class SlotOfSide, class Visitor>
+  Schnyder_special_copies(const Corner_table<Index>& table, const Schnyder_wood& wood, const SideOfHalfedge& side,
+                          const SlotOfSide& slot, Visitor&& second_copy)
+  {
+    for (std::size_t i = 0; i < table.num_halfedges(); ++i) {
+      const Index h = static_cast<Index>(i), o = table.opposite(h);
+      if (!wood.is_special(h) || o < h)
+        continue;
+      Side first = side(h), second = side(o);
+      if (slot(second) < slot(first))
+        std::swap(first, second);
+      const unsigned char live = first.k & 1, other_live = second.k & 1;
+      m_copies.push_back({ slot(first), slot(second), live, other_live });
+      m_copies.push_back({ slot(second), slot(first), other_live, live });
+      second_copy(second, first);
+    }
+    std::sort(m_copies.begin(), m_copies.end(), [](const Copy& a, const Copy& b) { return a.slot < b.slot; });
+    m_copies.shrink_to_fit();
+  }
+
+  // The copy with this slot, null if there is none.
+  const Copy* find(Index slot) const
+  {
+    const auto it = std::lower_bound(m_copies.begin(), m_copies.end(), slot,
+                                     [](const Copy& c, Index s) { return c.slot < s; });
+    return it == m_copies.end() || it->slot != slot ? nullptr : &*it;
+  }
+
+  std::size_t bytes() const { return m_copies.capacity() * sizeof(Copy); }
+
+private:
+  std::vector<Copy> m_copies; // sorted by slots
+};
+
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_SCHNYDER_SPECIAL_COPIES_H
