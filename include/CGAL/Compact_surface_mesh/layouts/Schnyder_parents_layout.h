@@ -14,6 +14,7 @@
 #include <CGAL/Compact_surface_mesh/Input_images.h>
 #include <CGAL/Compact_surface_mesh/internal/Divided_index.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Mask.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Masked_triangles.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_builder.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_numbering.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_operators.h>
@@ -21,11 +22,8 @@
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_sides.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_zone.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_triangles.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/wood_of_triangulation.h>
 #include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
-#include <CGAL/Schnyder_woods/internal/Shelling.h>
-
-#include <CGAL/assertions.h>
-#include <CGAL/use.h>
 
 #include <boost/config.hpp>
 
@@ -86,6 +84,7 @@ class Schnyder_parents_layout
   typedef internal::Schnyder_triangles<internal::Schnyder_parents_operators<Records, Index_, Zone>, Numbering, Index_>
     Triangles;
   typedef internal::Mask<Index_, true> Mask;
+  typedef internal::Masked_triangles<Triangles, Mask, Index_> Everything;
 
 public:
   /// the integer type of all indices.
@@ -128,15 +127,14 @@ public:
   {
     if (t.first_apex() > max_vertices())
       throw Mesh_defect_exception(Mesh_defect::too_many_elements, t.first_apex());
-    const internal::Schnyder_wood wood = this->wood(t, order, seed);
+    const internal::Schnyder_wood wood = internal::shelled_wood(t, order, seed);
     internal::Schnyder_parents_builder<References, Index> builder(t, wood, m_records, m_numbering);
     builder();
-    const internal::Schnyder_parents_sides<References, Index> sides(t, wood, builder);
-    sides.number_slots(m_records, m_numbering);
+    internal::Schnyder_parents_sides<References, Index>(t, wood, builder).number_slots(m_records, m_numbering);
 
     std::vector<Index> halfedges;
     if (images.wants_halfedges || t.simple().has_hidden())
-      halfedges = sides.halfedges(triangles());
+      halfedges = internal::numbers_of_halfedges(t, builder.sides(), triangles());
     std::vector<Index> vertices = builder.release_records_of_vertices();
     vertices.resize(t.first_copy());
     for (Index& x : vertices)
@@ -152,13 +150,13 @@ public:
   /// @{
 
   /// returns the number of vertices.
-  std::size_t num_vertices() const { return m_mask.empty() ? triangles().num_vertices() : m_mask.num_vertices(); }
+  std::size_t num_vertices() const { return everything().num_vertices(); }
   /// returns the number of halfedges.
-  std::size_t num_halfedges() const { return m_mask.empty() ? triangles().num_halfedges() : m_mask.num_halfedges(); }
+  std::size_t num_halfedges() const { return everything().num_halfedges(); }
   /// returns the number of edges.
   std::size_t num_edges() const { return num_halfedges() / 2; }
   /// returns the number of faces.
-  std::size_t num_faces() const { return m_mask.empty() ? triangles().num_faces() : m_mask.num_faces(); }
+  std::size_t num_faces() const { return everything().num_faces(); }
   /// @}
 
   /// \name Navigation
@@ -389,25 +387,9 @@ private:
       visit(u);
   }
 
-  static internal::Schnyder_wood wood(const Closed_triangulation<Index>& t, Shelling_order order, unsigned int seed)
-  {
-    internal::Schnyder_wood wood(t.table().num_halfedges());
-    internal::Shelling<Index> shelling(t.table(), wood, order, seed);
-    std::vector<Index> further_roots;
-    for (const auto& component : t.components()) {
-      further_roots.clear();
-      for (std::size_t i = component.first_root + 1; i < component.end_root; ++i)
-        further_roots.push_back(Corner_table<Index>::prev(t.roots()[i].base));
-      const Index base = t.roots()[component.first_root].base;
-      const bool is_simple = shelling(base, further_roots, component.num_faces, [](Index) {});
-      CGAL_assertion(is_simple);
-      CGAL_USE(is_simple);
-    }
-    return wood;
-  }
-
   Core core() const { return Core{ m_records, {} }; }
   Triangles triangles() const { return Triangles({ m_records, Zone{ m_records, m_numbering } }, m_numbering); }
+  Everything everything() const { return Everything(triangles(), m_mask); }
   bool is_in_core(Halfedge h) const { return h.code() < 8 * m_numbering.core; }
   static Side side(Halfedge h) { return { h.quotient(), h.remainder() }; }
 
@@ -418,38 +400,14 @@ private:
     return d;
   }
 
-  BOOST_NOINLINE Index next_outside(Index h) const
-  {
-    return m_mask.empty() ? triangles().next(h) : m_mask.next(triangles(), h);
-  }
-  BOOST_NOINLINE Index prev_outside(Index h) const
-  {
-    return m_mask.empty() ? triangles().prev(h) : m_mask.prev(triangles(), h);
-  }
-  BOOST_NOINLINE Index source_outside(Index h) const
-  {
-    return m_mask.empty() ? triangles().source(h) : m_mask.source(triangles(), h);
-  }
-  BOOST_NOINLINE Index target_outside(Index h) const
-  {
-    return m_mask.empty() ? triangles().target(h) : m_mask.target(triangles(), h);
-  }
-  BOOST_NOINLINE Index face_outside(Index h) const
-  {
-    return m_mask.empty() ? triangles().face(h) : m_mask.face(triangles(), h);
-  }
-  BOOST_NOINLINE Index halfedge_of_vertex_outside(Index v) const
-  {
-    return m_mask.empty() ? triangles().halfedge_of_vertex(v) : m_mask.halfedge_of_vertex(triangles(), v);
-  }
-  BOOST_NOINLINE Index halfedge_of_face_outside(Index f) const
-  {
-    return m_mask.empty() ? triangles().halfedge_of_face(f) : m_mask.halfedge_of_face(triangles(), f);
-  }
-  BOOST_NOINLINE Index halfedge_outside(Index u, Index v) const
-  {
-    return m_mask.empty() ? triangles().halfedge(u, v) : m_mask.halfedge(triangles(), u, v);
-  }
+  BOOST_NOINLINE Index next_outside(Index h) const { return everything().next(h); }
+  BOOST_NOINLINE Index prev_outside(Index h) const { return everything().prev(h); }
+  BOOST_NOINLINE Index source_outside(Index h) const { return everything().source(h); }
+  BOOST_NOINLINE Index target_outside(Index h) const { return everything().target(h); }
+  BOOST_NOINLINE Index face_outside(Index h) const { return everything().face(h); }
+  BOOST_NOINLINE Index halfedge_of_vertex_outside(Index v) const { return everything().halfedge_of_vertex(v); }
+  BOOST_NOINLINE Index halfedge_of_face_outside(Index f) const { return everything().halfedge_of_face(f); }
+  BOOST_NOINLINE Index halfedge_outside(Index u, Index v) const { return everything().halfedge(u, v); }
 
   // The visitors of stars are called where they are passed to: if a function that is not inlined got their
   // addresses, compilers would keep in memory what they refer to, in the core too.

@@ -94,6 +94,11 @@ public:
     return static_cast<Index>(paired ? 2 * m_halfedges.rank(g / 2) + (g & 1) : m_halfedges.rank(g));
   }
 
+  // Whether an element with this raw number is visible and has the same number for the user.
+  bool keeps_vertex(Index v) const { return m_vertices[v] && m_vertices.rank(v) == v; }
+  bool keeps_halfedge(Index g) const { return !is_hidden(g) && halfedge(g) == g; }
+  bool keeps_face(Index f) const { return m_faces[f] && m_faces.rank(f) == f; }
+
   template <class Raw>
   Index next(const Raw& raw, Index h) const { return halfedge(visible_after(raw, raw.next(raw_halfedge(h)))); }
 

@@ -50,19 +50,6 @@ public:
       records.records[x].word[2] |= Records::irregular;
   }
 
-  // The number of each halfedge of the triangulation but those at apices, which get null.
-  template <class Triangles>
-  std::vector<Index> halfedges(const Triangles& triangles) const
-  {
-    std::vector<Index> result(m_table.num_halfedges(), Table::null());
-    for (std::size_t i = 0; i < result.size(); ++i) {
-      const Index h = static_cast<Index>(i);
-      if ((std::max)(m_table.source(h), m_table.target(h)) < m_triangulation.first_apex())
-        result[h] = triangles.halfedge(m_side(h));
-    }
-    return result;
-  }
-
 private:
   struct Dead_slots
   {

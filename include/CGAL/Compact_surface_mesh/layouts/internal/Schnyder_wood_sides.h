@@ -10,11 +10,14 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
+#include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_sectors.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_side.h>
 #include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -45,6 +48,20 @@ struct Schnyder_wood_sides
     return { record_of_corner(corner), (wood.color(h) == blue ? 2 : 4) + back };
   }
 };
+
+// The number of each halfedge of `t` in the layout that has these sides and triangles; null for those at apices.
+template <class Index, class Triangles>
+std::vector<Index> numbers_of_halfedges(const Closed_triangulation<Index>& t, const Schnyder_wood_sides<Index>& side,
+                                        const Triangles& triangles)
+{
+  std::vector<Index> result(t.table().num_halfedges(), Corner_table<Index>::null());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const Index h = static_cast<Index>(i);
+    if ((std::max)(t.table().source(h), t.table().target(h)) < t.first_apex())
+      result[h] = triangles.halfedge(side(h));
+  }
+  return result;
+}
 
 } // namespace internal
 } // namespace CGAL

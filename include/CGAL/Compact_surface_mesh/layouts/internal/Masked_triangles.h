@@ -1,0 +1,57 @@
+// Copyright (c) 2026  The Compact_surface_mesh authors.
+// All rights reserved.
+//
+// This file is part of Compact_surface_mesh, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_MASKED_TRIANGLES_H
+#define CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_MASKED_TRIANGLES_H
+
+#include <CGAL/license/Compact_surface_mesh.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace internal {
+
+// What the user sees of the triangles of a layout: themselves, if the mask is empty.
+template <class Triangles, class Mask, class Index>
+class Masked_triangles
+{
+public:
+  Masked_triangles(const Triangles& triangles, const Mask& mask)
+    : m_triangles(triangles), m_mask(mask)
+  {}
+
+  std::size_t num_vertices() const { return m_mask.empty() ? m_triangles.num_vertices() : m_mask.num_vertices(); }
+  std::size_t num_halfedges() const { return m_mask.empty() ? m_triangles.num_halfedges() : m_mask.num_halfedges(); }
+  std::size_t num_faces() const { return m_mask.empty() ? m_triangles.num_faces() : m_mask.num_faces(); }
+
+  Index next(Index h) const { return m_mask.empty() ? m_triangles.next(h) : m_mask.next(m_triangles, h); }
+  Index prev(Index h) const { return m_mask.empty() ? m_triangles.prev(h) : m_mask.prev(m_triangles, h); }
+  Index source(Index h) const { return m_mask.empty() ? m_triangles.source(h) : m_mask.source(m_triangles, h); }
+  Index target(Index h) const { return m_mask.empty() ? m_triangles.target(h) : m_mask.target(m_triangles, h); }
+  Index face(Index h) const { return m_mask.empty() ? m_triangles.face(h) : m_mask.face(m_triangles, h); }
+  Index halfedge_of_vertex(Index v) const
+  {
+    return m_mask.empty() ? m_triangles.halfedge_of_vertex(v) : m_mask.halfedge_of_vertex(m_triangles, v);
+  }
+  Index halfedge_of_face(Index f) const
+  {
+    return m_mask.empty() ? m_triangles.halfedge_of_face(f) : m_mask.halfedge_of_face(m_triangles, f);
+  }
+  Index halfedge(Index u, Index v) const
+  {
+    return m_mask.empty() ? m_triangles.halfedge(u, v) : m_mask.halfedge(m_triangles, u, v);
+  }
+
+private:
+  Triangles m_triangles;
+  const Mask& m_mask;
+};
+
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_MASKED_TRIANGLES_H
