@@ -26,6 +26,7 @@ inline std::size_t num_steps = 0; // of all walks along the lists of a vertex
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/Schnyder_fronts_layout.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -141,6 +142,10 @@ TEST_P(Million, vertices_take_four_five_or_six_words_each_and_layouts_report_wha
   check_bytes<Parents_layout<4>>(m_soup, 16.1);
   check_bytes<Parents_layout<5>>(m_soup, 20.1);
   check_bytes<Parents_layout<6>>(m_soup, 24.1);
+  check_bytes<CGAL::Schnyder_fronts_layout<6>>(m_soup, 24.1);
+  check_bytes<CGAL::Schnyder_fronts_layout<5>>(m_soup, 20.1);
+  check_bytes<CGAL::Schnyder_fronts_layout<4>>(m_soup, 16.1);
+  check_bytes<CGAL::Schnyder_fronts_layout<5, true>>(m_soup, 20.1);
   check_bytes<CGAL::Corner_table_layout<>>(m_soup, 54);
   check_bytes<CGAL::SOT_layout<>>(m_soup, 25);
   check_bytes<CGAL::SQuad_layout<>>(m_soup, 18.4);

@@ -26,6 +26,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <random>
@@ -196,6 +197,17 @@ TYPED_TEST(Layouts, are_right_on_random_closed_surfaces)
   }
   const test::Soup large = test::closed_surface(200, 3000, 1);
   ASSERT_EQ(All_woods<TypeParam>::difference(large.num_vertices, large.triangles), "");
+}
+
+// The genera are 10,000 and 5,577.
+TYPED_TEST(Layouts, are_right_on_surfaces_with_many_handles)
+{
+  const std::uint32_t n = static_cast<std::uint32_t>(test::scaled(200000));
+  const test::Soup sphere = test::sphere_with_far_handles(n, n / 20);
+  EXPECT_EQ((test::difference_from_table<TypeParam>(sphere.num_vertices, sphere.triangles)), "");
+  const int k = (std::max)(2, static_cast<int>(std::lround(std::cbrt(n / 60))));
+  const test::Soup scaffold = test::scaffold(k, 1);
+  EXPECT_EQ((test::difference_from_table<TypeParam>(scaffold.num_vertices, scaffold.triangles)), "");
 }
 
 TYPED_TEST(Layouts, are_right_on_random_surfaces_of_all_kinds)

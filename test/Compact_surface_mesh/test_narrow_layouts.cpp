@@ -18,6 +18,7 @@
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/Schnyder_fronts_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/Schnyder_parents_layout.h>
 
 #include <gtest/gtest.h>
@@ -38,6 +39,9 @@ using Narrow_layouts = ::testing::Types<
   CGAL::Schnyder_parents_layout<4, std::uint8_t>, CGAL::Schnyder_parents_layout<5, std::uint8_t>,
   CGAL::Schnyder_parents_layout<6, std::uint8_t>, CGAL::Schnyder_parents_layout<4, std::uint16_t>,
   CGAL::Schnyder_parents_layout<5, std::uint16_t>, CGAL::Schnyder_parents_layout<6, std::uint16_t>,
+  CGAL::Schnyder_fronts_layout<6, false, std::uint8_t>, CGAL::Schnyder_fronts_layout<5, false, std::uint8_t>,
+  CGAL::Schnyder_fronts_layout<4, false, std::uint8_t>, CGAL::Schnyder_fronts_layout<5, true, std::uint8_t>,
+  CGAL::Schnyder_fronts_layout<4, false, std::uint16_t>, CGAL::Schnyder_fronts_layout<5, true, std::uint16_t>,
   CGAL::Corner_table_layout<std::uint8_t>, CGAL::Corner_table_layout<std::uint16_t>,
   CGAL::SOT_layout<std::uint8_t>, CGAL::SQuad_layout<std::uint8_t>>;
 TYPED_TEST_SUITE(Layout_of_narrow_indices, Narrow_layouts);

@@ -15,6 +15,7 @@
 
 #include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/Schnyder_fronts_layout.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
@@ -50,7 +51,11 @@ struct Papers_layout
 
 using Papers_layouts = ::testing::Types<
   CGAL::SOT_layout<>,
-  CGAL::SQuad_layout<>
+  CGAL::SQuad_layout<>,
+  CGAL::Schnyder_fronts_layout<6>,
+  CGAL::Schnyder_fronts_layout<5>,
+  CGAL::Schnyder_fronts_layout<4>,
+  CGAL::Schnyder_fronts_layout<5, true>
 >;
 TYPED_TEST_SUITE(Papers_layout, Papers_layouts);
 

@@ -18,6 +18,7 @@
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/Schnyder_fronts_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/Schnyder_parents_layout.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -130,14 +131,18 @@ struct Surface
            + static_cast<std::ptrdiff_t>(num_isolated);
   }
 
+  double num_special() const
+  {
+    return 2. * static_cast<double>(num_handles)
+           + (num_borders > num_components ? static_cast<double>(num_borders - num_components) : 0);
+  }
+
   // At most so many words of 4 bytes: 15 a component, 31 a special edge of the wood, of which there are two a
   // handle and one a further border, and 14 a vertex with two fans. Each special edge has two further records,
   // and each further fan has one.
   double extra_words(int references) const
   {
-    const double num_special = 2. * static_cast<double>(num_handles)
-                               + (num_borders > num_components ? static_cast<double>(num_borders - num_components) : 0);
-    return 15 * static_cast<double>(num_components) + (31 + 2 * (references - 4)) * num_special
+    return 15 * static_cast<double>(num_components) + (31 + 2 * (references - 4)) * num_special()
            + (14 + references - 4) * static_cast<double>(num_pinched);
   }
 };
@@ -198,6 +203,21 @@ void check_opposites(const Surface& surface, double part_with_quad)
   EXPECT_LE(bytes, bound_of_opposites(surface, part_with_quad)) << Layout::name();
 }
 
+// At most so many words of 4 bytes: 20 a component, 16 a special edge, 10 a vertex with two fans, and as many further
+// records as above; and for all borders a byte a vertex, and 4 words for a further fan, which is one of their vertices.
+template <int References, bool has_targets>
+void check_bytes_of_fronts(const Surface& surface)
+{
+  using Layout = CGAL::Schnyder_fronts_layout<References, has_targets>;
+  const double n = surface.soup.num_vertices;
+  const double bytes = bytes_of<Layout>(surface.soup, surface.euler_characteristic());
+  std::cout << std::fixed << std::setprecision(4) << std::setw(11) << bytes / n << std::flush;
+  const double extra_words = 20. * static_cast<double>(surface.num_components)
+                             + (16 + 2 * References) * surface.num_special()
+                             + (14 + References) * static_cast<double>(surface.num_pinched);
+  EXPECT_LE(bytes, (4 * References + (surface.num_borders == 0 ? 0.01 : 1)) * n + 4 * extra_words) << Layout::name();
+}
+
 class Million_vertices
   : public ::testing::TestWithParam<std::string>
 {};
@@ -212,6 +232,10 @@ TEST_P(Million_vertices, take_their_references_and_a_constant_for_each_component
   check_bytes<6>(surface);
   check_opposites<CGAL::SOT_layout<>>(surface, 0);
   check_opposites<CGAL::SQuad_layout<>>(surface, 0.9);
+  check_bytes_of_fronts<6, false>(surface);
+  check_bytes_of_fronts<5, false>(surface);
+  check_bytes_of_fronts<4, false>(surface);
+  check_bytes_of_fronts<5, true>(surface);
   const double n = surface.soup.num_vertices;
   std::cout << std::setw(11) << bytes_of<Corner_layout>(surface.soup, surface.euler_characteristic()) / n << std::endl;
 }
