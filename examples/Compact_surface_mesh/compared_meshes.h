@@ -17,6 +17,7 @@
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/Schnyder_fronts_layout.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/property_map.h>
@@ -41,6 +42,10 @@ using Surface_mesh = CGAL::Surface_mesh<Point>;
 using Layouts = std::tuple<CGAL::Schnyder_parents_layout<4>,
                            CGAL::Schnyder_parents_layout<5>,
                            CGAL::Schnyder_parents_layout<6>,
+                           CGAL::Schnyder_fronts_layout<6>,
+                           CGAL::Schnyder_fronts_layout<5>,
+                           CGAL::Schnyder_fronts_layout<4>,
+                           CGAL::Schnyder_fronts_layout<5, true>,
                            CGAL::Corner_table_layout<>,
                            CGAL::SOT_layout<>,
                            CGAL::SQuad_layout<> >;

@@ -17,6 +17,7 @@ Orientation is as in `FaceGraph`: a face lies to the left of its halfedges,
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Schnyder_parents_layout<References, Index_>}
+\cgalHasModels{CGAL::Schnyder_fronts_layout<References, has_targets, Index_>}
 \cgalHasModels{CGAL::Corner_table_layout<Index_>}
 \cgalHasModels{CGAL::SOT_layout<Index_>}
 \cgalHasModels{CGAL::SQuad_layout<Index_>}
