@@ -17,6 +17,7 @@
 #include "test_scale.h"
 
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/Laced_ring_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/Schnyder_fronts_layout.h>
@@ -120,6 +121,8 @@ typedef testing::Types<CGAL::Corner_table_layout<>,
                        CGAL::SOT_layout<>,
                        CGAL::SQuad_layout<>,
                        CGAL::SQuad_layout<std::uint64_t>,
+                       CGAL::Laced_ring_layout<>,
+                       CGAL::Laced_ring_layout<std::uint32_t, std::uint16_t>,
                        CGAL::Schnyder_parents_layout<4, std::uint64_t>>
     All_layouts;
 TYPED_TEST_SUITE(Layouts, All_layouts);

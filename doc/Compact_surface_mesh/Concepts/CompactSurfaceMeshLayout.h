@@ -21,6 +21,7 @@ Orientation is as in `FaceGraph`: a face lies to the left of its halfedges,
 \cgalHasModels{CGAL::Corner_table_layout<Index_>}
 \cgalHasModels{CGAL::SOT_layout<Index_>}
 \cgalHasModels{CGAL::SQuad_layout<Index_>}
+\cgalHasModels{CGAL::Laced_ring_layout<Index_, Entry>}
 \cgalHasModelsEnd
 
 \sa `CGAL::Compact_surface_mesh`

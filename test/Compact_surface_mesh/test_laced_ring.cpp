@@ -1,0 +1,177 @@
+// Copyright (c) 2026  The Compact_surface_mesh authors.
+// All rights reserved.
+//
+// This file is part of Compact_surface_mesh, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+// The laced ring beneath its operators: that there is a ring, that triangles are sorted by their edges on it
+// as the paper does, and that what is stored is what the paper's formula says.
+
+#include "closed_surfaces.h"
+#include "generated_surfaces.h"
+#include "generated_triangulations.h"
+#include "layout_of_soup.h"
+#include "test_scale.h"
+
+#include <CGAL/Compact_surface_mesh/layouts/Laced_ring_layout.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace {
+
+// Sorts the triangles of a closed connected surface by nothing but the numbers of their vertices.
+class Kinds_of_triangles
+{
+public:
+  Kinds_of_triangles(const test::Soup& soup, const std::vector<std::uint32_t>& numbers, std::size_t ring_size)
+    : m_table(soup.num_vertices, soup.triangles), m_numbers(numbers), m_ring_size(ring_size),
+      m_skips_wart(soup.triangles.size(), false)
+  {
+    for (std::uint32_t f = 0; f < m_table.num_faces(); ++f)
+      for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h)
+        if (num_ring_edges(f) == 0 && num_ring_edges(neighbor(h)) == 2)
+          m_skips_wart[f] = true;
+
+  }
+
+  std::size_t num_edges_on_ring() const
+  {
+    std::size_t count = 0;
+    for (std::uint32_t f = 0; f < m_table.num_faces(); ++f)
+      count += num_ring_edges(f);
+    return count / 2;
+  }
+
+  CGAL::Laced_ring_counts counts() const
+  {
+    CGAL::Laced_ring_counts counts = { m_ring_size, m_table.num_vertices() - m_ring_size, 0, 0, 0, 0 };
+    for (std::uint32_t f = 0; f < m_table.num_faces(); ++f) {
+      if (is_t0(f)) {
+        ++counts.num_t0;
+        continue;
+      }
+      counts.num_skipped_warts += m_skips_wart[f] ? 1 : 0;
+      counts.num_irregular += is_t0(neighbor(3 * f)) || is_t0(neighbor(3 * f + 1)) || is_t0(neighbor(3 * f + 2)) ? 1 : 0;
+    }
+    return counts;
+  }
+
+private:
+  std::uint32_t neighbor(std::uint32_t h) const { return m_table.face(m_table.opposite(h)); }
+  bool is_t0(std::uint32_t f) const { return num_ring_edges(f) == 0 && !m_skips_wart[f]; }
+
+  std::size_t num_ring_edges(std::uint32_t f) const
+  {
+    std::size_t count = 0;
+    for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
+      const std::size_t u = m_numbers[m_table.source(h)], v = m_numbers[m_table.target(h)];
+      if (u < m_ring_size && v < m_ring_size && ((u + 1) % m_ring_size == v || (v + 1) % m_ring_size == u))
+        ++count;
+    }
+    return count;
+  }
+
+  const CGAL::Corner_table<> m_table;
+  const std::vector<std::uint32_t>& m_numbers;
+  const std::size_t m_ring_size;
+  std::vector<bool> m_skips_wart;
+};
+
+template <class Layout>
+std::size_t bytes(const Layout& layout, const std::vector<std::string>& arrays)
+{
+  std::size_t sum = 0;
+  for (const auto& array : layout.memory())
+    if (std::find(arrays.begin(), arrays.end(), array.first) != arrays.end())
+      sum += array.second;
+  return sum;
+}
+
+const std::vector<std::string> tables = { "L and R", "irregular and long", "T0", "isolated vertices" };
+
+// What differs from the paper's sections 4.3 and 5, and from its formulas of the cost in section 8.
+template <class Layout>
+void check_counts_and_cost(const test::Soup& soup)
+{
+  CGAL::Input_images<> images;
+  const Layout layout = test::layout_of<Layout>(test::soup_of(soup), images);
+  const CGAL::Laced_ring_counts counts = layout.counts();
+  const Kinds_of_triangles kinds(soup, images.vertices, counts.num_ring_vertices);
+  const CGAL::Laced_ring_counts expected = kinds.counts();
+  EXPECT_EQ(kinds.num_edges_on_ring(), counts.num_ring_vertices);
+  EXPECT_EQ(counts.num_isolated_vertices, expected.num_isolated_vertices);
+  EXPECT_EQ(counts.num_t0, expected.num_t0);
+  EXPECT_EQ(counts.num_skipped_warts, expected.num_skipped_warts);
+  EXPECT_EQ(counts.num_irregular, expected.num_irregular);
+  const std::size_t entry_bytes = Layout::name() == "laced-ring" ? 4 : 2;
+  EXPECT_EQ(bytes(layout, tables), 2 * entry_bytes * counts.num_ring_vertices
+                                       + 4 * (6 * counts.num_t0 + 3 * counts.num_irregular + counts.num_long
+                                              + counts.num_isolated_vertices));
+}
+
+template <class Layout>
+class Laced_rings : public testing::Test
+{};
+typedef testing::Types<CGAL::Laced_ring_layout<>, CGAL::Laced_ring_layout<std::uint32_t, std::uint16_t>> Both_forms;
+TYPED_TEST_SUITE(Laced_rings, Both_forms);
+
+TYPED_TEST(Laced_rings, have_the_kinds_of_triangles_and_the_cost_that_the_paper_says)
+{
+  const std::uint32_t n = static_cast<std::uint32_t>(test::scaled(20000)) + 100;
+  for (const test::Soup& soup :
+       { test::octasphere(1), test::octasphere(5), test::random_triangulation(n, 1), test::stacked_triangulation(n, 2),
+         test::double_wheel(n), test::shuffled(test::globe(100, 100), 3), test::torus_grid(30, 50),
+         test::closed_surface(20, n, 4), test::sphere_with_far_handles(n, 50) })
+    check_counts_and_cost<TypeParam>(soup);
+}
+
+TYPED_TEST(Laced_rings, pass_all_or_nearly_all_vertices_of_regular_meshes)
+{
+  for (const test::Soup& soup : { test::octasphere(6), test::globe(200, 200), test::torus_grid(100, 100) }) {
+    CGAL::Input_images<> images;
+    const TypeParam layout = test::layout_of<TypeParam>(test::soup_of(soup), images);
+    EXPECT_LE(layout.counts().num_isolated_vertices, soup.num_vertices / 1000);
+    EXPECT_LE(100 * layout.counts().num_t0, 2 * soup.triangles.size());
+  }
+}
+
+// A pair of entries that skip warts on both sides, tips beyond 15 bits, and the seams of several rings.
+TEST(Laced_ring, of_offsets_uses_all_forms_of_entries)
+{
+  CGAL::Input_images<> images;
+  typedef CGAL::Laced_ring_layout<std::uint32_t, std::uint16_t> Layout;
+  const Layout layout = test::layout_of<Layout>(test::soup_of(test::double_wheel(100000)), images);
+  EXPECT_GT(layout.counts().num_long, 10000u); // the hubs are far away
+}
+
+TEST(Rings, go_round_each_cycle)
+{
+  typedef CGAL::internal::Rings<std::uint32_t> Rings;
+  for (const std::vector<std::uint32_t>& sizes :
+       { std::vector<std::uint32_t>{ 5 }, { 4, 4 }, { 60, 4, 4, 64 }, { 64, 64, 7, 200, 4 } }) {
+    std::vector<std::uint32_t> starts, next;
+    for (const std::uint32_t size : sizes) {
+      const std::uint32_t start = static_cast<std::uint32_t>(next.size());
+      starts.push_back(start);
+      for (std::uint32_t i = 1; i < size; ++i)
+        next.push_back(start + i);
+      next.push_back(start);
+    }
+    const Rings rings(next.size(), std::move(starts));
+    ASSERT_EQ(rings.size(), next.size());
+    for (std::uint32_t v = 0; v < next.size(); ++v) {
+      EXPECT_EQ(rings.next(v), next[v]);
+      EXPECT_EQ(rings.prev(next[v]), v);
+    }
+  }
+}
+
+} // namespace
