@@ -24,6 +24,7 @@ inline std::size_t num_steps = 0; // of all walks along the lists of a vertex
 
 #include <CGAL/Compact_surface_mesh.h>
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/Laced_ring_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/Schnyder_fronts_layout.h>
@@ -149,6 +150,14 @@ TEST_P(Million, vertices_take_four_five_or_six_words_each_and_layouts_report_wha
   check_bytes<CGAL::Corner_table_layout<>>(m_soup, 54);
   check_bytes<CGAL::SOT_layout<>>(m_soup, 25);
   check_bytes<CGAL::SQuad_layout<>>(m_soup, 18.4);
+}
+
+// A quarter of the triangles of a random triangulation are off the ring.
+TEST_P(Million, vertices_take_little_more_than_two_words_each_along_a_ring)
+{
+  const bool is_random = GetParam() == "random";
+  check_bytes<CGAL::Laced_ring_layout<>>(m_soup, is_random ? 28 : 9.4);
+  check_bytes<CGAL::Laced_ring_layout<std::uint32_t, std::uint16_t>>(m_soup, is_random ? 27 : 8);
 }
 
 // The same for the mesh class, and beside it Surface_mesh.

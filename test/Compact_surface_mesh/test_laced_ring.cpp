@@ -22,6 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -143,13 +144,51 @@ TYPED_TEST(Laced_rings, pass_all_or_nearly_all_vertices_of_regular_meshes)
   }
 }
 
-// A pair of entries that skip warts on both sides, tips beyond 15 bits, and the seams of several rings.
-TEST(Laced_ring, of_offsets_uses_all_forms_of_entries)
+// With the numbers of triangles and edges, for which there are lists of what is off the ring.
+TYPED_TEST(Laced_rings, of_regular_meshes_take_two_hundredths_more_in_all_than_the_formula)
+{
+  for (const test::Soup& soup : { test::octasphere(6), test::globe(200, 200), test::torus_grid(100, 100) }) {
+    CGAL::Input_images<> images;
+    const TypeParam layout = test::layout_of<TypeParam>(test::soup_of(soup), images);
+    std::size_t all = 0;
+    for (const auto& array : layout.memory())
+      all += array.second;
+    EXPECT_LE(100 * all, 102 * bytes(layout, tables));
+  }
+}
+
+// The hubs are far away from all but a few vertices.
+TEST(Laced_ring, of_offsets_refers_to_what_is_far_away_by_long_references)
 {
   CGAL::Input_images<> images;
   typedef CGAL::Laced_ring_layout<std::uint32_t, std::uint16_t> Layout;
   const Layout layout = test::layout_of<Layout>(test::soup_of(test::double_wheel(100000)), images);
-  EXPECT_GT(layout.counts().num_long, 10000u); // the hubs are far away
+  EXPECT_GT(layout.counts().num_long, 10000u);
+}
+
+TEST(Filled_slots, have_numbers_without_holes)
+{
+  typedef CGAL::internal::Filled_slots<std::uint32_t> Filled_slots;
+  std::mt19937 rng(1);
+  for (std::uint32_t num_slots = 0; num_slots < 60; ++num_slots)
+    for (unsigned int k = 0; k < 20; ++k) { // the dead ones more or less near the end
+      std::vector<std::uint32_t> dead, live;
+      for (std::uint32_t slot = 0; slot < num_slots; ++slot)
+        (rng() % 20 < (slot % 3 == 0 ? k : slot + k > num_slots ? 20 - k : 1) ? dead : live).push_back(slot);
+      const std::size_t num_dead = dead.size();
+      const Filled_slots slots(num_slots, std::move(dead));
+      ASSERT_EQ(slots.count(), live.size());
+      EXPECT_LE(slots.bytes(), 2 * num_dead * sizeof(std::uint32_t));
+      std::vector<bool> is_used(live.size(), false);
+      for (const std::uint32_t slot : live) {
+        const std::uint32_t number = slots.number(slot);
+        ASSERT_LT(number, live.size());
+        ASSERT_FALSE(is_used[number]);
+        is_used[number] = true;
+        EXPECT_EQ(slots.slot(number), slot);
+        EXPECT_TRUE(slot >= live.size() || number == slot);
+      }
+    }
 }
 
 TEST(Rings, go_round_each_cycle)

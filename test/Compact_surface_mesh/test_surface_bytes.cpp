@@ -16,6 +16,7 @@
 #include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/Simple_triangulation.h>
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/Laced_ring_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/Schnyder_fronts_layout.h>
@@ -42,6 +43,7 @@ using test::Counted_allocation;
 using test::Polygon_soup;
 using test::Soup;
 template <int References> using Parents_layout = CGAL::Schnyder_parents_layout<References>;
+template <class Entry> using Ring_layout = CGAL::Laced_ring_layout<std::uint32_t, Entry>;
 using Corner_layout = CGAL::Corner_table_layout<>;
 
 const std::vector<test::Triangle>& faces_of(const Soup& soup) { return soup.triangles; }
@@ -237,7 +239,11 @@ TEST_P(Million_vertices, take_their_references_and_a_constant_for_each_component
   check_bytes_of_fronts<4, false>(surface);
   check_bytes_of_fronts<5, true>(surface);
   const double n = surface.soup.num_vertices;
-  std::cout << std::setw(11) << bytes_of<Corner_layout>(surface.soup, surface.euler_characteristic()) / n << std::endl;
+  std::cout << std::setw(11) << bytes_of<Corner_layout>(surface.soup, surface.euler_characteristic()) / n;
+  for (const double bytes : {bytes_of<Ring_layout<std::uint32_t>>(surface.soup, surface.euler_characteristic()),
+                             bytes_of<Ring_layout<std::uint16_t>>(surface.soup, surface.euler_characteristic())})
+    std::cout << std::setw(11) << bytes / n;
+  std::cout << std::endl;
 }
 
 INSTANTIATE_TEST_SUITE_P(Surfaces_of_a, Million_vertices,

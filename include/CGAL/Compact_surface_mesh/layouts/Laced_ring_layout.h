@@ -14,12 +14,15 @@
 #include <CGAL/Compact_surface_mesh/Input_images.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Corner_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Laced_ring.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Listed_triangle_numbering.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Ring_edges.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Ring_offsets.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Ring_references.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -27,15 +30,11 @@ namespace CGAL {
 namespace internal {
 
 template <class Index, class Entry>
-struct Ring_entries
+struct Ring_of_entries
 {
-  typedef Ring_offsets<Index, Entry> type;
-};
-
-template <class Index>
-struct Ring_entries<Index, Index>
-{
-  typedef Ring_references<Index> type;
+  typedef std::conditional_t<std::is_same<Index, Entry>::value, Ring_references<Index>, Ring_offsets<Index, Entry>>
+      Entries;
+  typedef Corner_layout<Laced_ring<Index, Entries>, Listed_triangle_numbering<Index>, Ring_edges<Index>> Layout;
 };
 
 } // namespace internal
@@ -75,11 +74,11 @@ paper has beside an `Index_` of 32 bits.
 template <class Index_ = std::uint32_t, class Entry = Index_>
 class Laced_ring_layout
 #ifndef DOXYGEN_RUNNING
-  : public internal::Corner_layout<internal::Laced_ring<Index_, typename internal::Ring_entries<Index_, Entry>::type>>
+  : public internal::Ring_of_entries<Index_, Entry>::Layout
 #endif
 {
-  typedef typename internal::Ring_entries<Index_, Entry>::type Entries;
-  typedef internal::Corner_layout<internal::Laced_ring<Index_, Entries>> Base;
+  typedef typename internal::Ring_of_entries<Index_, Entry>::Entries Entries;
+  typedef typename internal::Ring_of_entries<Index_, Entry>::Layout Base;
 
 public:
   /// the integer type of all indices.

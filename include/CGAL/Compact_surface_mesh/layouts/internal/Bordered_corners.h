@@ -49,7 +49,7 @@ A table is default constructible (empty), copyable and, when moved from, empty, 
     Index halfedge_of_vertex(Index v) const;    // with target v, on a border if there is one; null if v is isolated
     std::vector<std::pair<std::string, std::size_t>> memory() const;
 */
-template <class Table>
+template <class Table, class Numbering = Triangle_numbering<typename Table::Index>>
 class Bordered_corners
 {
 public:
@@ -106,7 +106,10 @@ public:
   }
 
   // The halfedge that starts at corner c of the table, which is at no apex.
-  Index halfedge_at(Index c) const { return m_numbering.halfedge(c); }
+  Index halfedge_at(Index c) const { return m_numbering.halfedge(m_table, c); }
+
+  // The corner where h starts.
+  Index corner(Index h) const { return m_numbering.corner(m_table, h); }
 
   const Table& table() const { return m_table; }
   std::size_t border_bytes() const { return m_numbering.bytes(); }
@@ -114,17 +117,15 @@ public:
 
 private:
   bool is_border(Index h) const { return m_numbering.is_border(h); }
-  Index corner(Index h) const { return m_numbering.corner(h); }
-
-  Triangle_numbering<Index> numbering(std::size_t num_triangles, std::size_t num_faces,
+  Numbering numbering(std::size_t num_triangles, std::size_t num_faces,
                                       const std::vector<Index>& corners) const
   {
     if (corners.empty())
-      return Triangle_numbering<Index>(num_triangles, num_faces);
+      return Numbering(num_triangles, num_faces);
     std::vector<Triangle_kind> kinds(m_table.num_triangles(), Triangle_kind::none);
     for (std::size_t f = 0; f < num_triangles; ++f)
       kinds[corners[3 * f] / 3] = f < num_faces ? Triangle_kind::face : Triangle_kind::border;
-    return Triangle_numbering<Index>(kinds);
+    return Numbering(kinds);
   }
 
   // Where a vertex has several fans, borders go from each one to the next.
@@ -174,7 +175,7 @@ private:
   }
 
   Table m_table;
-  Triangle_numbering<Index> m_numbering;
+  Numbering m_numbering;
   std::vector<std::pair<Index, Index>> m_next, m_prev; // between the fans of a vertex, sorted
 };
 

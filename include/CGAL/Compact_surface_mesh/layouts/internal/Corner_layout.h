@@ -12,9 +12,10 @@
 
 #include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/Input_images.h>
-#include <CGAL/Compact_surface_mesh/internal/Ranked_bits.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Bordered_corners.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Mask.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Ranked_edges.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Triangle_numbering.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/around_vertex.h>
 
 #include <algorithm>
@@ -34,11 +35,14 @@ double edges, and the numbering of edges, by a bit per halfedge with its rank di
 that derives from it adds its name and the largest number of its vertices.
 
 \tparam Table see `Bordered_corners`
+\tparam Numbering numbers triangles
+\tparam Edges numbers edges
 */
-template <class Table>
+template <class Table, class Numbering = Triangle_numbering<typename Table::Index>,
+          class Edges = Ranked_edges<typename Table::Index>>
 class Corner_layout
 {
-  typedef internal::Bordered_corners<Table> Corners;
+  typedef internal::Bordered_corners<Table, Numbering> Corners;
 
 public:
   /// the integer type of all indices.
@@ -77,8 +81,7 @@ public:
       m_mask = Mask(m_corners, t, of_table.vertices, halfedges);
     m_mask.write_images(t, std::move(of_table.vertices), halfedges, images);
     t = Closed_triangulation<Index>();
-    m_first_of_edge = Ranked_bits(
-        num_halfedges(), [this](std::size_t h) { return h < opposite(static_cast<Index>(h)); });
+    m_edges = Edges(*this, m_corners, !m_mask.empty());
   }
 
   /// \name Counts
@@ -90,7 +93,7 @@ public:
   /// returns the number of halfedges.
   std::size_t num_halfedges() const { return m_mask.empty() ? m_corners.num_halfedges() : m_mask.num_halfedges(); }
   /// returns the number of edges.
-  std::size_t num_edges() const { return m_first_of_edge.count(); }
+  std::size_t num_edges() const { return m_edges.count(); }
   /// returns the number of faces.
   std::size_t num_faces() const { return m_mask.empty() ? m_corners.num_faces() : m_mask.num_faces(); }
   /// @}
@@ -114,9 +117,9 @@ public:
   /// returns whether `h` is known to be a side of a triangle: always so in meshes without polygons.
   bool is_in_triangle(Index h) const { return m_mask.empty() && m_corners.face(h) != null_index(); }
   /// returns the edge of `h`, by the rank of a bit.
-  Index edge(Index h) const { return static_cast<Index>(m_first_of_edge.rank((std::min)(h, opposite(h)))); }
+  Index edge(Index h) const { return m_edges.edge(*this, m_corners, h); }
   /// returns the halfedge of `e` with the smaller index, in logarithmic time by the selection of a bit.
-  Index halfedge_of_edge(Index e) const { return static_cast<Index>(m_first_of_edge.select(e)); }
+  Index halfedge_of_edge(Index e) const { return m_edges.halfedge(m_corners, e); }
   /// returns a halfedge whose target is `v`, always the same: a border halfedge if `v` lies on a
   /// border, `null_index()` if `v` is isolated.
   Index halfedge_of_vertex(Index v) const
@@ -180,7 +183,7 @@ public:
     std::vector<std::pair<std::string, std::size_t>> arrays = m_corners.table().memory();
     arrays.emplace_back("border bits", m_corners.border_bytes());
     arrays.emplace_back("fans of vertices", m_corners.fan_bytes());
-    arrays.emplace_back("edge bits", m_first_of_edge.bytes());
+    arrays.emplace_back("edge bits", m_edges.bytes());
     arrays.emplace_back("mask of polygons", m_mask.bytes());
     return arrays;
   }
@@ -196,7 +199,7 @@ private:
 
   Corners m_corners;
   Mask m_mask;
-  Ranked_bits m_first_of_edge; // the halfedges with h < opposite(h)
+  Edges m_edges;
 };
 
 } // namespace internal

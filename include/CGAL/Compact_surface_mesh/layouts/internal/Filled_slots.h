@@ -21,7 +21,7 @@ namespace CGAL {
 namespace internal {
 
 // Numbers a row of slots, few of which are dead, without holes: a live slot keeps its place
-// as number, but for the last ones, which take the places of the dead ones. Two words per dead slot.
+// as number, but for the last ones, which take the places of the dead ones. At most two words per dead slot.
 template <class Index>
 class Filled_slots
 {
@@ -33,13 +33,15 @@ public:
     : m_count(static_cast<Index>(num_slots - dead.size())), m_dead(std::move(dead))
   {
     const auto end = std::lower_bound(m_dead.begin(), m_dead.end(), m_count);
-    m_moved.reserve(static_cast<std::size_t>(end - m_dead.begin()));
-    auto it = end;
-    for (std::size_t slot = m_count; slot < num_slots; ++slot)
-      if (it != m_dead.end() && *it == slot)
-        ++it;
-      else
-        m_moved.push_back(static_cast<Index>(slot));
+    const std::size_t num_moved = static_cast<std::size_t>(end - m_dead.begin());
+    m_dead_behind.assign(end, m_dead.end());
+    if (num_moved <= m_dead_behind.size()) {
+      std::vector<Index> live(num_moved);
+      for (std::size_t i = 0; i < num_moved; ++i)
+        live[i] = moved(i);
+      m_moved = std::move(live);
+      m_dead_behind = std::vector<Index>();
+    }
     m_dead.erase(end, m_dead.end());
     m_dead.shrink_to_fit();
   }
@@ -51,21 +53,44 @@ public:
   {
     if (slot < m_count)
       return slot;
-    return m_dead[std::lower_bound(m_moved.begin(), m_moved.end(), slot) - m_moved.begin()];
+    const auto& list = m_moved.empty() ? m_dead_behind : m_moved;
+    const std::size_t i = static_cast<std::size_t>(std::lower_bound(list.begin(), list.end(), slot) - list.begin());
+    return m_dead[m_moved.empty() ? slot - m_count - i : i];
   }
 
   // The slot of a number, likewise.
   Index slot(Index number) const
   {
     const auto it = std::lower_bound(m_dead.begin(), m_dead.end(), number);
-    return it == m_dead.end() || *it != number ? number : m_moved[it - m_dead.begin()];
+    return it == m_dead.end() || *it != number ? number : moved(static_cast<std::size_t>(it - m_dead.begin()));
   }
 
-  std::size_t bytes() const { return (m_dead.capacity() + m_moved.capacity()) * sizeof(Index); }
+  std::size_t bytes() const
+  {
+    return (m_dead.capacity() + m_moved.capacity() + m_dead_behind.capacity()) * sizeof(Index);
+  }
 
 private:
+  // The live slot behind m_count before which there are i others.
+  Index moved(std::size_t i) const
+  {
+    if (!m_moved.empty())
+      return m_moved[i];
+    std::size_t begin = 0, end = m_dead_behind.size(); // of the dead slots, find how many are before it
+    while (begin < end) {
+      const std::size_t middle = (begin + end) / 2;
+      if (m_dead_behind[middle] - m_count - middle <= i)
+        begin = middle + 1;
+      else
+        end = middle;
+    }
+    return static_cast<Index>(m_count + i + begin);
+  }
+
   Emptied_on_move<Index> m_count;
-  std::vector<Index> m_dead, m_moved; // below m_count, and the live slots behind it
+  std::vector<Index> m_dead; // below m_count
+  // behind it, the shorter of two lists: the live slots, or, if that one is empty, the dead ones
+  std::vector<Index> m_moved, m_dead_behind;
 };
 
 } // namespace internal

@@ -151,6 +151,41 @@ public:
              { "copies", m_vertices.bytes() } };
   }
 
+  // Whether triangle t is a face: no redundant slot, and not at an apex.
+  bool is_face(Index t) const
+  {
+    if (t >= num_ring_slots())
+      return t0(t)[2] < m_first_apex;
+    const Index tip = m_entries.tip(t);
+    return tip < m_first_apex && tip != next(next(static_cast<Index>(t / 2)));
+  }
+
+  std::size_t num_ring_edges() const { return m_rings.size(); }
+
+  // The ring edge of the halfedge that starts at corner c, null if it is none.
+  Index ring_edge(Index c) const
+  {
+    const Index u = corner_vertex(c), v = corner_vertex(Corner_table<Index>::next(c));
+    if (u >= m_rings.size() || v >= m_rings.size())
+      return null();
+    return next(u) == v ? u : next(v) == u ? v : null();
+  }
+
+  // The halfedge of ring edge e that has its triangle on that side; the second slot of a T2 tells both of its edges.
+  Index ring_halfedge(Index e, unsigned side) const
+  {
+    const Index f = next(e);
+    return skips_wart(e, side) || tip(e, side) == next(f) ? corner(f, side, 2 - side) : corner(e, side, 0);
+  }
+
+  // Which one of the three halfedges from corner c on joins the least and the greatest vertex of a triangle, of which
+  // c is the first corner.
+  Index longest_side(Index c) const
+  {
+    const Index a = corner_vertex(c), b = corner_vertex(c + 1), v = corner_vertex(c + 2);
+    return (a < v) == (v < b) ? 0 : (b < a) == (a < v) ? 1 : 2;
+  }
+
   Laced_ring_counts counts() const
   {
     Laced_ring_counts counts = { m_rings.size(), m_isolated.size(), m_t0.size() / 6, 0, 0, 0 };
@@ -246,13 +281,6 @@ private:
   {
     return tip(e, side) == next(next(e)) ? corner(next(e), side, side == 0 ? (k + 2) % 3 : (k + 1) % 3)
                                          : corner(e, side, k);
-  }
-
-  // The halfedge of ring edge e that has its triangle on that side; the second slot of a T2 tells both of its edges.
-  Index ring_halfedge(Index e, unsigned side) const
-  {
-    const Index f = next(e);
-    return skips_wart(e, side) || tip(e, side) == next(f) ? corner(f, side, 2 - side) : corner(e, side, 0);
   }
 
   // The halfedge opposite to corner k of a regular triangle, from v to the tip (k = 1) or from the tip to v (k = 2).

@@ -71,9 +71,11 @@ public:
   bool is_border(Index h) const { return h >= m_num_sides; }
 
   // The halfedge that starts at corner c.
-  Index halfedge(Index c) const { return c < m_first ? c : halfedge_behind(c); }
+  template <class Table>
+  Index halfedge(const Table&, Index c) const { return c < m_first ? c : halfedge_behind(c); }
   // The corner where halfedge h starts.
-  Index corner(Index h) const { return h < m_first ? h : corner_behind(h); }
+  template <class Table>
+  Index corner(const Table&, Index h) const { return h < m_first ? h : corner_behind(h); }
 
   std::size_t bytes() const { return m_faces.bytes() + m_borders.bytes(); }
 

@@ -1,0 +1,162 @@
+// Copyright (c) 2026  The Compact_surface_mesh authors.
+// All rights reserved.
+//
+// This file is part of Compact_surface_mesh, a package for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
+
+#ifndef CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_RING_EDGES_H
+#define CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_RING_EDGES_H
+
+#include <CGAL/license/Compact_surface_mesh.h>
+
+#include <CGAL/Compact_surface_mesh/internal/Emptied_on_move.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Filled_slots.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Ranked_edges.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace internal {
+
+/*
+Numbers edges where vertices are numbered along rings, for next to nothing: first the ring edges; then the
+edges by triangles. On either side of a ring, the triangles are those of a polygon, with the numbers of its vertices
+ascending, and each edge but the sides of the polygon joins the least and the greatest vertex of one triangle:
+this one *has* the edge. So a triangle has one edge, and an edge is had by one triangle, but for the triangle where
+the ring is closed, and around vertices off the ring and handles: triangles without an edge of their own, and edges
+of no triangle, stand in lists. Where these would be long, and where polygons hide edges, bits are ranked.
+*/
+template <class Index>
+class Ring_edges
+{
+public:
+  Ring_edges() = default;
+
+  template <class Layout, class Corners>
+  Ring_edges(const Layout& layout, const Corners& corners, bool are_some_hidden)
+  {
+    if (are_some_hidden || !list(corners))
+      m_ranked = Ranked_edges<Index>(layout, corners, are_some_hidden);
+  }
+
+  std::size_t count() const { return is_listed() ? m_slots.count() : m_ranked.count(); }
+
+  template <class Layout, class Corners>
+  Index edge(const Layout& layout, const Corners& corners, Index h) const
+  {
+    if (!is_listed())
+      return m_ranked.edge(layout, corners, h);
+    const Index e = corners.table().ring_edge(corners.corner(h));
+    return e != null() ? e : m_slots.number(slot(corners, h));
+  }
+
+  template <class Corners>
+  Index halfedge(const Corners& corners, Index e) const
+  {
+    if (!is_listed())
+      return m_ranked.halfedge(corners, e);
+    if (e < m_num_ring_edges)
+      return corners.halfedge_at(corners.table().ring_halfedge(e, 0));
+    Index f = e - m_num_ring_edges;
+    if (f >= corners.num_faces() || !has_edge(corners, f)) {
+      f = m_slots.slot(e) - m_num_ring_edges;
+      if (f >= corners.num_faces())
+        return m_of_no_triangle[f - corners.num_faces()];
+    }
+    return longest_side(corners, f);
+  }
+
+  std::size_t bytes() const
+  {
+    return m_ranked.bytes() + m_slots.bytes() + m_of_no_triangle.capacity() * sizeof(Index);
+  }
+
+private:
+  static constexpr Index null() { return (std::numeric_limits<Index>::max)(); }
+  bool is_listed() const { return m_num_ring_edges != 0; }
+
+  // Returns whether lists are shorter than bits.
+  template <class Corners>
+  bool list(const Corners& corners)
+  {
+    const std::size_t num_ring_edges = corners.table().num_ring_edges();
+    std::vector<Index> dead;
+    for (Index f = 0; f < corners.num_faces(); ++f)
+      if (!has_edge(corners, f))
+        dead.push_back(static_cast<Index>(num_ring_edges + f));
+    for (Index h = 0; h < corners.num_halfedges(); ++h) {
+      const Index g = corners.opposite(h);
+      if (h < g && !is_longest_side(corners, h) && !is_longest_side(corners, g)
+          && corners.table().ring_edge(corners.corner(h)) == null())
+        m_of_no_triangle.push_back(h);
+    }
+    const std::size_t num_slots = num_ring_edges + corners.num_faces() + m_of_no_triangle.size();
+    if (num_slots < null())
+      m_slots = Filled_slots<Index>(num_slots, std::move(dead));
+    const std::size_t num_bits = 8 * (m_slots.bytes() + m_of_no_triangle.size() * sizeof(Index));
+    if (num_ring_edges == 0 || num_slots >= null() || num_bits >= corners.num_halfedges()) {
+      *this = Ring_edges();
+      return false;
+    }
+    m_num_ring_edges = static_cast<Index>(num_ring_edges);
+    m_of_no_triangle.shrink_to_fit();
+    return true;
+  }
+
+  // The side of face f that joins its least and its greatest vertex.
+  template <class Corners>
+  static Index longest_side(const Corners& corners, Index f)
+  {
+    const Index h = Corners::halfedge_of_face(f);
+    return h + corners.table().longest_side(corners.corner(h));
+  }
+
+  template <class Corners>
+  static bool is_longest_side(const Corners& corners, Index h)
+  {
+    const Index f = corners.face(h);
+    return f != null() && longest_side(corners, f) == h;
+  }
+
+  // Of two triangles with the same longest side, the first one has the edge.
+  template <class Corners>
+  static bool has_edge(const Corners& corners, Index f)
+  {
+    const Index h = longest_side(corners, f);
+    if (corners.table().ring_edge(corners.corner(h)) != null())
+      return false;
+    const Index g = corners.opposite(h);
+    return !is_longest_side(corners, g) || f < corners.face(g);
+  }
+
+  // Of an edge that is off the ring.
+  template <class Corners>
+  Index slot(const Corners& corners, Index h) const
+  {
+    const Index g = corners.opposite(h);
+    Index f = null();
+    for (const Index side : { h, g })
+      if (is_longest_side(corners, side))
+        f = (std::min)(f, corners.face(side));
+    if (f == null()) {
+      const auto it = std::lower_bound(m_of_no_triangle.begin(), m_of_no_triangle.end(), (std::min)(g, h));
+      f = static_cast<Index>(corners.num_faces() + static_cast<std::size_t>(it - m_of_no_triangle.begin()));
+    }
+    return m_num_ring_edges + f;
+  }
+
+  Emptied_on_move<Index> m_num_ring_edges; // 0 if bits are ranked
+  Ranked_edges<Index> m_ranked;
+  Filled_slots<Index> m_slots;         // the ring edges, the faces, and the edges of no triangle
+  std::vector<Index> m_of_no_triangle; // their first halfedges, sorted
+};
+
+} // namespace internal
+} // namespace CGAL
+
+#endif // CGAL_COMPACT_SURFACE_MESH_LAYOUTS_INTERNAL_RING_EDGES_H
