@@ -13,6 +13,7 @@
 
 #include <CGAL/Compact_surface_mesh.h>
 
+#include <CGAL/Compact_surface_mesh/layouts/Laced_ring_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/Schnyder_fronts_layout.h>
@@ -33,6 +34,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <map>
 #include <vector>
@@ -55,7 +57,9 @@ using Papers_layouts = ::testing::Types<
   CGAL::Schnyder_fronts_layout<6>,
   CGAL::Schnyder_fronts_layout<5>,
   CGAL::Schnyder_fronts_layout<4>,
-  CGAL::Schnyder_fronts_layout<5, true>
+  CGAL::Schnyder_fronts_layout<5, true>,
+  CGAL::Laced_ring_layout<>,
+  CGAL::Laced_ring_layout<std::uint32_t, std::uint16_t>
 >;
 TYPED_TEST_SUITE(Papers_layout, Papers_layouts);
 
