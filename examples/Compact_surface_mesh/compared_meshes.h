@@ -15,6 +15,7 @@
 #include <CGAL/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/Laced_ring_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/Schnyder_fronts_layout.h>
@@ -48,7 +49,9 @@ using Layouts = std::tuple<CGAL::Schnyder_parents_layout<4>,
                            CGAL::Schnyder_fronts_layout<5, true>,
                            CGAL::Corner_table_layout<>,
                            CGAL::SOT_layout<>,
-                           CGAL::SQuad_layout<> >;
+                           CGAL::SQuad_layout<>,
+                           CGAL::Laced_ring_layout<>,
+                           CGAL::Laced_ring_layout<std::uint32_t, std::uint16_t> >;
 
 template <class T>
 struct Type

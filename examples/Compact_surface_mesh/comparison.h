@@ -40,17 +40,20 @@ Timed_kernel construction_from_soup(const Triangle_soup& soup)
 struct Compared_mesh
 {
   std::string name;
-  std::size_t order; ///< which of the first two meshes has the same numbers: 0 the first, 1 the second
+  std::size_t order; ///< which mesh has the same numbers: one of the first two, or none but this one
   double connectivity_bytes;
   std::vector<Timed_kernel> kernels;
   double sum_over_faces; ///< with the labels
 
-  std::string order_name() const { return order == 0 ? "input's order" : "our order"; }
+  std::string order_name() const
+  {
+    return order == 0 ? "input's order" : order == 1 ? "our order" : "its own order";
+  }
 };
 
 /// The first two meshes are `Surface_mesh` in the order of the input, and in the order of the
-/// parents layouts. Then come other structures in the order of the input, and the layouts, all
-/// in that second order: those that keep the input's are given it.
+/// parents layouts. Then come other structures in the order of the input, and the layouts, in that
+/// second order: those that keep the input's are given it, but some have an order of their own.
 class Comparison
 {
 public:
@@ -140,7 +143,7 @@ private:
     if (labeled->label == m_labels)
       add<Structure>(1, m_ordered_soup, m_ordered_labels, kernels);
     else
-      add<Structure>(1, labeled, m_soup, kernels);
+      add<Structure>(labeled->label == m_ordered_labels ? 1 : m_meshes.size(), labeled, m_soup, kernels);
   }
 
   template <class Structure, class Kernels>
