@@ -73,11 +73,11 @@ void call_dependently(const Arguments& arguments, const Operator& f)
 /// adds the kernels that call `f` for all `arguments()`. Their result is the sum of `check(f(a))`,
 /// which is not timed.
 template <class Arguments, class Operator, class Check>
-void add_operator(std::vector<Timed_kernel>& kernels, const std::string& name, bool depends_on_numbers,
-                  const Arguments& arguments, const Operator& f, const Check& check)
+void add_operator(std::vector<Timed_kernel>& kernels, const std::string& name, const Arguments& arguments,
+                  const Operator& f, const Check& check)
 {
   const auto add = [&](const std::string& kind, const auto& call) {
-    kernels.push_back({ name + ", " + kind, "operators", depends_on_numbers, [=]() -> Timed_function {
+    kernels.push_back({ name + ", " + kind, "operators", false, [=]() -> Timed_function {
                          const auto all = std::make_shared<decltype(arguments())>(arguments());
                          std::uint64_t sum = 0;
                          for (const auto& a : *all)
@@ -132,6 +132,7 @@ std::vector<Timed_kernel> operator_kernels(const std::shared_ptr<const Labeled>&
   using Face = typename Graph::face_descriptor;
   const Mesh& mesh = labeled->mesh; // which the lists of arguments keep
   const Vertex_numbers<Mesh> number(mesh);
+  const auto label = [labeled, number](Vertex v) { return labeled->label[number(v)]; };
 
   const auto all_vertices = [labeled] {
     const auto range = vertices(labeled->mesh);
@@ -149,17 +150,17 @@ std::vector<Timed_kernel> operator_kernels(const std::shared_ptr<const Labeled>&
   };
 
   std::vector<Timed_kernel> kernels;
-  const auto add = [&](const std::string& name, bool depends_on_numbers, const auto& f, const auto& check) {
-    add_operator(kernels, name, depends_on_numbers, all_halfedges, f, check);
+  const auto add = [&](const std::string& name, const auto& f, const auto& check) {
+    add_operator(kernels, name, all_halfedges, f, check);
   };
-  add("next", false, [&mesh](Halfedge h) { return next(h, mesh); }, number_of_halfedge);
-  add("prev", false, [&mesh](Halfedge h) { return prev(h, mesh); }, number_of_halfedge);
-  add("opposite", false, [&mesh](Halfedge h) { return opposite(h, mesh); }, number_of_halfedge);
-  add("source", true, [&mesh](Halfedge h) { return source(h, mesh); }, number);
-  add("target", true, [&mesh](Halfedge h) { return target(h, mesh); }, number);
-  add("face", false, [&mesh](Halfedge h) { return face(h, mesh); }, number_of_face);
-  add_operator(kernels, "halfedge of vertex", false, all_vertices, [&mesh](Vertex v) { return halfedge(v, mesh); },
-               [&mesh, number](Halfedge h) { return number(target(h, mesh)); });
+  add("next", [&mesh](Halfedge h) { return next(h, mesh); }, number_of_halfedge);
+  add("prev", [&mesh](Halfedge h) { return prev(h, mesh); }, number_of_halfedge);
+  add("opposite", [&mesh](Halfedge h) { return opposite(h, mesh); }, number_of_halfedge);
+  add("source", [&mesh](Halfedge h) { return source(h, mesh); }, label);
+  add("target", [&mesh](Halfedge h) { return target(h, mesh); }, label);
+  add("face", [&mesh](Halfedge h) { return face(h, mesh); }, number_of_face);
+  add_operator(kernels, "halfedge of vertex", all_vertices, [&mesh](Vertex v) { return halfedge(v, mesh); },
+               [&mesh, label](Halfedge h) { return label(target(h, mesh)); });
 
   // of every two pairs, one is an edge
   const auto pairs = [labeled] {
@@ -173,7 +174,7 @@ std::vector<Timed_kernel> operator_kernels(const std::shared_ptr<const Labeled>&
     }
     return result;
   };
-  add_operator(kernels, "adjacency", false, pairs,
+  add_operator(kernels, "adjacency", pairs,
                [&mesh](const std::pair<Vertex, Vertex>& p) {
                  return halfedge(p.first, p.second, mesh).second;
                },
