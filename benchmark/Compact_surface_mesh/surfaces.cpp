@@ -12,10 +12,8 @@
 #include "../../examples/Compact_surface_mesh/interleaved_times.h"
 #include "../../examples/Compact_surface_mesh/mesh_kernels.h"
 #include "../../test/Compact_surface_mesh/large_surfaces.h"
+#include "closed_surface.h"
 #include "positive_number.h"
-
-#include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
-#include <CGAL/Schnyder_woods/internal/Shelling.h>
 
 #include <algorithm>
 #include <cmath>
@@ -168,42 +166,6 @@ void measure_traversals(const Arguments& arguments)
   polygons("polygon of " + std::to_string(n / 10) + " sides", test::globe_with_polygon(10, n / 10));
 }
 
-// A surface without border, ready to be shelled.
-class Closed_surface
-{
-public:
-  Closed_surface(std::string name, const Soup& soup)
-    : m_name(std::move(name)), m_triangulation(CGAL::Corner_table<>(soup.num_vertices, soup.triangles))
-  {}
-
-  const std::string& name() const { return m_name; }
-  std::size_t num_user_vertices() const { return m_triangulation.first_copy(); }
-
-  // Returns the number of special edges.
-  double shell() const
-  {
-    const auto& table = m_triangulation.table();
-    CGAL::internal::Schnyder_wood wood(table.num_halfedges());
-    CGAL::internal::Shelling<std::uint32_t> shelling(table, wood, CGAL::Shelling_order::LAST_IN_FIRST_OUT, 0);
-    const auto& component = m_triangulation.components()[0];
-    shelling(m_triangulation.roots()[0].base, std::vector<std::uint32_t>(), component.num_faces, [](std::uint32_t) {});
-    std::size_t num_special = 0;
-    for (std::size_t h = 0; h < table.num_halfedges(); ++h)
-      num_special += wood.is_special(h) ? 1 : 0;
-    return static_cast<double>(num_special / 2);
-  }
-
-  double build_layout() const
-  {
-    CGAL::Input_images<> images;
-    return static_cast<double>(Mesh::Layout(CGAL::Closed_triangulation<>(m_triangulation), images).num_vertices());
-  }
-
-private:
-  std::string m_name;
-  CGAL::Closed_triangulation<> m_triangulation;
-};
-
 // The first surface is the one to which the others are compared.
 void print_constructions(const std::vector<Closed_surface>& surfaces, int rounds)
 {
@@ -211,7 +173,7 @@ void print_constructions(const std::vector<Closed_surface>& surfaces, int rounds
   for (const Closed_surface& s : surfaces)
     functions.push_back([&s] { return s.shell(); });
   for (const Closed_surface& s : surfaces)
-    functions.push_back([&s] { return s.build_layout(); });
+    functions.push_back([&s] { return s.build_layout<Mesh::Layout>(); });
   const std::vector<Timing> timings = interleaved_times(functions, rounds);
   const auto time = [&](std::size_t i) {
     const std::size_t n = surfaces[i % surfaces.size()].num_user_vertices();
