@@ -14,8 +14,8 @@
 
 #include "../../examples/Compact_surface_mesh/comparison.h"
 #include "benchmark_inputs.h"
+#include "command_line.h"
 #include "machine.h"
-#include "positive_number.h"
 #include "ratio_plot.h"
 #include "ratio_rows.h"
 
@@ -23,19 +23,13 @@
 
 #include <CGAL/config.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <functional>
 #include <iostream>
-#include <iterator>
 #include <memory>
-#include <regex>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace ratio_driver {
@@ -75,39 +69,18 @@ struct Arguments
 inline Arguments parsed(int argc, char* argv[])
 {
   Arguments arguments;
-  const std::pair<const char*, std::string*> options[] = {
-    { "--inputs", &arguments.inputs }, { "--kernels", &arguments.kernels }, { "--types", &arguments.types },
-    { "--mesh", &arguments.mesh },     { "--scan", &arguments.scan },       { "--csv", &arguments.csv },
-    { "--svg", &arguments.svg }
-  };
-  const auto number = [&](const char* word) {
-    const unsigned long n = positive_number(word);
-    if (n == 0)
-      exit_with_usage(argv[0]);
-    return n;
-  };
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const auto option = std::find_if(std::begin(options), std::end(options),
-                                     [&](const auto& o) { return word == o.first; });
-    const bool is_option = option != std::end(options) || word == "--rounds";
-    if (!is_option)
-      arguments.sizes.push_back(number(argv[i]));
-    else if (++i == argc)
-      exit_with_usage(argv[0]);
-    else if (word == "--rounds")
-      arguments.rounds = static_cast<int>(number(argv[i]));
-    else
-      *option->second = argv[i];
-  }
+  arguments.sizes = read_command_line(argc, argv,
+                                      { { "--inputs", &arguments.inputs },
+                                        { "--kernels", &arguments.kernels },
+                                        { "--types", &arguments.types },
+                                        { "--mesh", &arguments.mesh },
+                                        { "--scan", &arguments.scan },
+                                        { "--csv", &arguments.csv },
+                                        { "--svg", &arguments.svg } },
+                                      arguments.rounds, [&] { exit_with_usage(argv[0]); });
   if (arguments.sizes.empty())
     arguments.sizes.push_back(1000000);
   return arguments;
-}
-
-inline bool matches(const std::string& name, const std::string& pattern)
-{
-  return std::regex_search(name, std::regex(pattern));
 }
 
 /// Makes the comparison of the structures that are wanted on a soup.
@@ -138,18 +111,6 @@ inline Measured_input measured(const std::string& name, const example::Triangle_
     result.rows.push_back(std::move(row));
   }
   return result;
-}
-
-template <class Write>
-void write_file(const std::string& file, const Write& write)
-{
-  if (file.empty())
-    return;
-  std::ofstream out(file);
-  write(out);
-  out.close();
-  if (!out)
-    throw std::runtime_error("cannot write " + file);
 }
 
 inline void run(const Arguments& arguments, const Make_comparison& make_comparison)

@@ -436,19 +436,38 @@ struct Timed_kernel
   double tolerance = 1e-9; ///< relative, of the result
 };
 
-/// adds a kernel for each way. `prepare(Access())` prepares it.
-template <class Mesh, class Prepare>
-void add_in_each_way(std::vector<Timed_kernel>& kernels, const std::string& name, bool depends_on_numbers,
-                     const Prepare& prepare)
+/// Adds a kernel by whole stars, and by one operator at a time. `prepare(Access())` prepares it.
+struct Stars_and_operators
 {
-  const auto add = [&](const std::string& way, auto access) {
+  template <class Mesh, class Prepare>
+  static void add(std::vector<Timed_kernel>& kernels, const std::string& name, bool depends_on_numbers,
+                  const Prepare& prepare)
+  {
+    add_way(kernels, name, "stars", depends_on_numbers, prepare, typename Fastest_way<Mesh>::type());
+    add_way(kernels, name, "operators", depends_on_numbers, prepare, By_operators());
+  }
+
+protected:
+  template <class Prepare, class Access>
+  static void add_way(std::vector<Timed_kernel>& kernels, const std::string& name, const std::string& way,
+                      bool depends_on_numbers, const Prepare& prepare, Access access)
+  {
     kernels.push_back({ name, way, depends_on_numbers, [=]() -> Timed_function { return prepare(access); } });
-  };
-  add("stars", typename Fastest_way<Mesh>::type());
-  add("ranges", By_ranges());
-  add("circulators", By_circulators());
-  add("operators", By_operators());
-}
+  }
+};
+
+/// Adds a kernel for each way.
+struct Each_way : Stars_and_operators
+{
+  template <class Mesh, class Prepare>
+  static void add(std::vector<Timed_kernel>& kernels, const std::string& name, bool depends_on_numbers,
+                  const Prepare& prepare)
+  {
+    Stars_and_operators::add<Mesh>(kernels, name, depends_on_numbers, prepare);
+    add_way(kernels, name, "ranges", depends_on_numbers, prepare, By_ranges());
+    add_way(kernels, name, "circulators", depends_on_numbers, prepare, By_circulators());
+  }
+};
 
 /// lists a search, in each way and by Boost.
 template <class Search, class Labeled>
@@ -456,7 +475,7 @@ void add_search(std::vector<Timed_kernel>& kernels, const std::string& name,
                 const std::shared_ptr<const Labeled>& labeled)
 {
   const auto start = [labeled] { return std::make_shared<Search>(labeled->mesh, labeled->vertex_with_label(0)); };
-  add_in_each_way<decltype(labeled->mesh)>(kernels, name, false, [=](auto access) {
+  Each_way::add<decltype(labeled->mesh)>(kernels, name, false, [=](auto access) {
     return [search = start(), labeled] { return search->template run<decltype(access)>(); };
   });
   kernels.push_back({ name, "Boost", false, [=]() -> Timed_function {
@@ -464,26 +483,35 @@ void add_search(std::vector<Timed_kernel>& kernels, const std::string& name,
                      } });
 }
 
+/// lists the traversals that CD18 times, degrees and normals, of a `Labeled_mesh`, in the ways that `Ways` adds.
+template <class Ways, class Labeled>
+std::vector<Timed_kernel> degrees_and_normals(const std::shared_ptr<const Labeled>& labeled)
+{
+  using Mesh = std::remove_const_t<decltype(labeled->mesh)>;
+  std::vector<Timed_kernel> kernels;
+  Ways::template add<Mesh>(kernels, "degree", false, [=](auto access) {
+    return [=] { return sum_of_degrees<decltype(access)>(labeled->mesh); };
+  });
+  Ways::template add<Mesh>(kernels, "vertex normals", false, [=](auto access) {
+    return [=, is_closed = CGAL::is_closed(labeled->mesh)] {
+      return sum_of_normals<decltype(access)>(labeled->mesh, is_closed);
+    };
+  });
+  return kernels;
+}
+
 /// lists all traversals of a `Labeled_mesh`.
 template <class Labeled>
 std::vector<Timed_kernel> traversals(const std::shared_ptr<const Labeled>& labeled)
 {
   using Mesh = std::remove_const_t<decltype(labeled->mesh)>;
-  std::vector<Timed_kernel> kernels;
-  add_in_each_way<Mesh>(kernels, "degree", false, [=](auto access) {
-    return [=] { return sum_of_degrees<decltype(access)>(labeled->mesh); };
-  });
-  add_in_each_way<Mesh>(kernels, "degree in random order", false, [=](auto access) {
+  std::vector<Timed_kernel> kernels = degrees_and_normals<Each_way>(labeled);
+  Each_way::add<Mesh>(kernels, "degree in random order", false, [=](auto access) {
     auto order = labeled->vertices_by_label();
     std::shuffle(order.begin(), order.end(), std::mt19937(1));
     return [=, order = std::move(order)] { return sum_of_degrees<decltype(access)>(labeled->mesh, order); };
   });
-  add_in_each_way<Mesh>(kernels, "vertex normals", false, [=](auto access) {
-    return [=, is_closed = CGAL::is_closed(labeled->mesh)] {
-      return sum_of_normals<decltype(access)>(labeled->mesh, is_closed);
-    };
-  });
-  add_in_each_way<Mesh>(kernels, "vertices of faces", true, [=](auto access) {
+  Each_way::add<Mesh>(kernels, "vertices of faces", true, [=](auto access) {
     return [=] { return sum_over_faces<decltype(access)>(labeled->mesh, Vertex_numbers<Mesh>(labeled->mesh)); };
   });
   add_search<Breadth_first_search<Mesh> >(kernels, "breadth-first search", labeled);
