@@ -150,7 +150,8 @@ std::array<Index, 3> vertices_of_face(Index f) const;
 /// @{
 
 /// the arrays that the layout holds, each with its name and the bytes it has
-/// allocated, directories and side tables included.
+/// allocated, directories and side tables included. The names of arrays that hold no integers, but
+/// single bits and their directories, end with `"bits"`.
 std::vector<std::pair<std::string, std::size_t>> memory() const;
 
 /// @}
