@@ -28,8 +28,8 @@ namespace papers {
 using Other_structures =
     std::tuple<example::Array_structure<Half_edge_arrays>, example::Array_structure<Winged_edge_arrays> >;
 
-/// What our code guarantees in the worst case, where `d` is the degree of a vertex: next, previous and opposite
-/// halfedge; source and target; adjacency of two vertices.
+/// What our code guarantees in the worst case on closed meshes, where `d` is the degree of a vertex: next, previous and
+/// opposite halfedge; source and target; adjacency of two vertices. A laced ring has numbers that are searched for.
 struct Bounds
 {
   const char* structure;
@@ -39,11 +39,19 @@ struct Bounds
 };
 
 /// A structure is one line here, or has no bounds in the tables.
-inline constexpr std::array<Bounds, 7> our_bounds{ {
+inline constexpr std::array<Bounds, 15> our_bounds{ {
     { "Surface_mesh", "O(1)", "O(1)", "O(d)" },
     { "half-edge", "O(1)", "O(1)", "O(d)" },
     { "winged-edge", "O(1)", "O(1)", "O(d)" },
     { "corner-table", "O(1)", "O(1)", "O(d)" },
+    { "sot", "O(1)", "O(d)", "O(d^2)" },
+    { "squad", "O(1)", "O(d)", "O(d^2)" },
+    { "laced-ring", "O(log n)", "O(log n)", "O(d log n)" },
+    { "laced-ring-offsets", "O(log n)", "O(log n)", "O(d log n)" },
+    { "schnyder-fronts-6n", "O(1)", "O(d)", "O(d)" },
+    { "schnyder-fronts-5n", "O(1)", "O(d)", "O(d)" },
+    { "schnyder-fronts-4n", "O(1)", "O(d)", "O(d)" },
+    { "schnyder-fronts-5n-targets", "O(1)", "O(1)", "O(1)" },
     { "schnyder-parents-4n", "O(1)", "O(1)", "O(1)" },
     { "schnyder-parents-5n", "O(1)", "O(1)", "O(1)" },
     { "schnyder-parents-6n", "O(1)", "O(1)", "O(1)" },
