@@ -15,29 +15,23 @@
 
 #include <CGAL/Compact_surface_mesh/Compact_surface_mesh_fwd.h>
 
-#include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/Element_properties.h>
 #include <CGAL/Compact_surface_mesh/Element_ranges.h>
-#include <CGAL/Compact_surface_mesh/Input_images.h>
-#include <CGAL/Compact_surface_mesh/Simple_triangulation.h>
 #include <CGAL/Compact_surface_mesh/descriptors.h>
 #include <CGAL/Compact_surface_mesh/internal/Fixed_connectivity.h>
-#include <CGAL/Compact_surface_mesh/internal/Input_report.h>
+#include <CGAL/Compact_surface_mesh/internal/Mesh_construction.h>
 #include <CGAL/Compact_surface_mesh/internal/Validity_check.h>
-#include <CGAL/Compact_surface_mesh/internal/numbered_vertices.h>
 #include <CGAL/Compact_surface_mesh/layouts/Schnyder_parents_layout.h>
 #include <CGAL/Compact_surface_mesh/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/config.hpp>
 
 #include <array>
 #include <cstddef>
 #include <iostream>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,14 +61,6 @@ using Fixed_connectivity_of =
                      typename Descriptors::Face_index>;
 
 } // namespace internal
-
-namespace IO {
-namespace internal {
-
-template <class Mesh> class Mesh_filling;
-
-} // namespace internal
-} // namespace IO
 
 /*!
 \ingroup PkgCompactSurfaceMeshRef
@@ -260,14 +246,7 @@ public:
             >
   explicit Compact_surface_mesh(const FaceGraph& g, const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    if constexpr (parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::vertex_index_t>::value) {
-      if (internal::has_removed_vertices(g)) {
-        copy_graph(g, internal::numbered_vertices(g), np);
-        return;
-      }
-    } else
-      internal::check_numbering(g, parameters::get_parameter(np, internal_np::vertex_index));
-    copy_graph(g, get_initialized_vertex_index_map(g, np), np);
+    internal::Mesh_construction<Self>(*this).copy_graph(g, np);
   }
 
   /*!
@@ -289,7 +268,7 @@ public:
   Compact_surface_mesh(const PointRange& points, const PolygonRange& polygons,
                        const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    assign_soup(points, polygons, np);
+    internal::Mesh_construction<Self>(*this).take_soup(points, polygons, np);
   }
 
   /// copies connectivity and points of `other`, but no other property maps.
@@ -560,7 +539,7 @@ public:
   /// @}
 
 private:
-  template <class Mesh> friend class IO::internal::Mesh_filling;
+  friend class internal::Mesh_construction<Self>;
 
   size_type number_of(Vertex_tag) const { return static_cast<size_type>(m_layout.num_vertices()); }
   size_type number_of(Halfedge_tag) const { return static_cast<size_type>(m_layout.num_halfedges()); }
@@ -572,46 +551,6 @@ private:
   {
     this->resize_properties(layout.num_vertices(), layout.num_halfedges(), layout.num_edges(), layout.num_faces());
     m_layout = std::move(layout);
-  }
-
-  template <class FaceGraph, class VertexIndexMap, class NamedParameters>
-  void copy_graph(const FaceGraph& g, const VertexIndexMap& vertex_index, const NamedParameters& np)
-  {
-    if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value)
-      copy_graph(g, vertex_index, get_const_property_map(CGAL::vertex_point, g), np);
-    else
-      copy_graph(g, vertex_index, parameters::get_parameter(np, internal_np::vertex_point), np);
-  }
-
-  template <class FaceGraph, class VertexIndexMap, class PointMap, class NamedParameters>
-  void copy_graph(const FaceGraph& g, const VertexIndexMap& vertex_index, const PointMap& point,
-                  const NamedParameters& np)
-  {
-    construct(Simple_triangulation<size_type>(g, vertex_index),
-              internal::Graph_input<FaceGraph, PointMap, VertexIndexMap>(g, point, vertex_index), np);
-  }
-
-  // Makes an empty mesh that of a polygon soup; its property maps stay. If this throws, they may have been resized.
-  template <class PointRange, class PolygonRange, class NamedParameters>
-  void assign_soup(const PointRange& points, const PolygonRange& polygons, const NamedParameters& np)
-  {
-    const std::size_t n = static_cast<std::size_t>(std::distance(std::begin(points), std::end(points)));
-    construct(Simple_triangulation<size_type>(n, polygons),
-              internal::Soup_input<PointRange, PolygonRange>(points, polygons), np);
-  }
-
-  // The connectivity comes first, so that the memory for its construction is free again
-  // when the points are copied. What the caller owns is written to last.
-  template <class Input, class NamedParameters>
-  void construct(Simple_triangulation<size_type>&& t, const Input& input, const NamedParameters& np)
-  {
-    Input_images<size_type> images;
-    images.wants_halfedges = internal::wants_halfedges(np);
-    set_layout(Layout(Closed_triangulation<size_type>(std::move(t)), images));
-    input.for_each_point([&](std::size_t i, const auto& p) {
-      this->point(Vertex_index(images.vertices[i])) = internal::converted_point<Point>(p);
-    });
-    internal::report_input(input, images, *this, np);
   }
 
   Layout m_layout;

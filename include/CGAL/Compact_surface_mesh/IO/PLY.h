@@ -12,10 +12,10 @@
 
 #include <CGAL/Compact_surface_mesh/Compact_surface_mesh.h>
 #include <CGAL/Compact_surface_mesh/IO/internal/Attributed_soup.h>
-#include <CGAL/Compact_surface_mesh/IO/internal/Mesh_filling.h>
 #include <CGAL/Compact_surface_mesh/IO/internal/PLY_file.h>
 #include <CGAL/Compact_surface_mesh/IO/internal/PLY_properties.h>
 #include <CGAL/Compact_surface_mesh/IO/internal/read_mesh.h>
+#include <CGAL/Compact_surface_mesh/internal/Mesh_filling.h>
 #include <CGAL/boost/graph/graph_traits_Compact_surface_mesh.h>
 
 #include <CGAL/IO/Color.h>

@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
-#include <CGAL/Compact_surface_mesh/IO/internal/Mesh_filling.h>
 #include <CGAL/Compact_surface_mesh/IO/internal/PLY_file.h>
 #include <CGAL/Compact_surface_mesh/IO/internal/read_mesh.h>
+#include <CGAL/Compact_surface_mesh/internal/Mesh_filling.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/IO/PLY.h>

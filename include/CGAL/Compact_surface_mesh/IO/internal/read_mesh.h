@@ -14,7 +14,7 @@
 
 #include <CGAL/Compact_surface_mesh/Compact_surface_mesh.h>
 #include <CGAL/Compact_surface_mesh/IO/internal/Attributed_soup.h>
-#include <CGAL/Compact_surface_mesh/IO/internal/Mesh_filling.h>
+#include <CGAL/Compact_surface_mesh/internal/Mesh_filling.h>
 #include <CGAL/boost/graph/properties_Compact_surface_mesh.h>
 
 #include <CGAL/IO/Color.h>
@@ -34,6 +34,8 @@
 namespace CGAL {
 namespace IO {
 namespace internal {
+
+using CGAL::internal::Mesh_filling;
 
 template <class NamedParameters>
 bool is_verbose(const NamedParameters& np)

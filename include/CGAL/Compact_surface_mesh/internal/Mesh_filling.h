@@ -5,10 +5,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-#ifndef CGAL_COMPACT_SURFACE_MESH_IO_INTERNAL_MESH_FILLING_H
-#define CGAL_COMPACT_SURFACE_MESH_IO_INTERNAL_MESH_FILLING_H
+#ifndef CGAL_COMPACT_SURFACE_MESH_INTERNAL_MESH_FILLING_H
+#define CGAL_COMPACT_SURFACE_MESH_INTERNAL_MESH_FILLING_H
 
 #include <CGAL/license/Compact_surface_mesh.h>
+
+#include <CGAL/Compact_surface_mesh/internal/Mesh_construction.h>
 
 #include <functional>
 #include <stdexcept>
@@ -16,7 +18,6 @@
 #include <vector>
 
 namespace CGAL {
-namespace IO {
 namespace internal {
 
 // An empty mesh that is filled. Unless finish() was called, the mesh is as it was when this object is gone.
@@ -50,7 +51,7 @@ public:
   template <class Points, class Polygons, class NamedParameters>
   void assign(const Points& points, const Polygons& polygons, const NamedParameters& np)
   {
-    m_mesh.assign_soup(points, polygons, np);
+    Mesh_construction<Mesh>(m_mesh).take_soup(points, polygons, np);
   }
 
   // Adds a property map, or finds the one that the mesh has.
@@ -75,7 +76,6 @@ private:
 };
 
 } // namespace internal
-} // namespace IO
 } // namespace CGAL
 
-#endif // CGAL_COMPACT_SURFACE_MESH_IO_INTERNAL_MESH_FILLING_H
+#endif // CGAL_COMPACT_SURFACE_MESH_INTERNAL_MESH_FILLING_H
