@@ -19,5 +19,7 @@
 #include <CGAL/Compact_surface_mesh/IO/3MF.h>
 #include <CGAL/Compact_surface_mesh/IO/polygon_mesh_io.h>
 #include <CGAL/Compact_surface_mesh/IO/repaired_polygon_mesh_io.h>
+#include <CGAL/Compact_surface_mesh/mesh_3.h>
+#include <CGAL/Compact_surface_mesh/surface_mesh_topology.h>
 
 #endif // CGAL_COMPACT_SURFACE_MESH_H

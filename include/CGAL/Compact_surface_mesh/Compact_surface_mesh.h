@@ -28,11 +28,13 @@
 #include <CGAL/assertions.h>
 
 #include <boost/config.hpp>
+#include <boost/graph/graph_traits.hpp>
 
 #include <array>
 #include <cstddef>
 #include <iostream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -167,6 +169,20 @@ public:
   using edge_index = Edge_index;
   using face_index = Face_index;
   using vertex_property_type = Point;
+  using out_edge_iterator = CGAL::Out_edge_iterator<Self>;
+  using directed_category = boost::undirected_tag;
+  using edge_parallel_category = boost::disallow_parallel_edge_tag;
+  struct traversal_category
+    : public virtual boost::bidirectional_graph_tag
+    , public virtual boost::vertex_list_graph_tag
+    , public virtual boost::edge_list_graph_tag
+    , public virtual boost::adjacency_graph_tag
+  {};
+  using vertices_size_type = size_type;
+  using halfedges_size_type = size_type;
+  using edges_size_type = size_type;
+  using faces_size_type = size_type;
+  using degree_size_type = size_type;
   template <class I, class T> using Property_map = typename Properties_base::template Property_map<I, T>;
 #endif
 
@@ -201,6 +217,9 @@ public:
 
   /*!
   copies the mesh `g`.
+
+  From a `Surface_mesh` or a `Compact_surface_mesh` it also copies all property maps whose values are numbers,
+  strings, pairs of `int`, colors, or points, vectors and numbers of the kernel of the points of `g`.
 
   \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
   \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -241,12 +260,13 @@ public:
   */
   template <class FaceGraph, class CGAL_NP_TEMPLATE_PARAMETERS
 #ifndef DOXYGEN_RUNNING
+            , class = std::enable_if_t<!std::is_base_of<Self, FaceGraph>::value>
             , class = typename internal::Possible_graph_traits<FaceGraph>::face_descriptor
 #endif
             >
   explicit Compact_surface_mesh(const FaceGraph& g, const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    internal::Mesh_construction<Self>(*this).copy_graph(g, np);
+    internal::Mesh_construction<Self>(*this, *this).copy_graph(g, np);
   }
 
   /*!
@@ -268,7 +288,7 @@ public:
   Compact_surface_mesh(const PointRange& points, const PolygonRange& polygons,
                        const CGAL_NP_CLASS& np = parameters::default_values())
   {
-    internal::Mesh_construction<Self>(*this).take_soup(points, polygons, np);
+    internal::Mesh_construction<Self>(*this, *this).take_soup(points, polygons, np);
   }
 
   /// copies connectivity and points of `other`, but no other property maps.
@@ -351,8 +371,12 @@ public:
   template <class Tag> bool is_removed(Descriptor<Tag>) const { return false; }
   /// returns `false`.
   bool has_garbage() const { return false; }
-  /// does nothing.
-  void collect_garbage() {}
+  /// does nothing; a visitor would not be called.
+  template <class... Visitor> void collect_garbage(Visitor&&...) {}
+  /// does nothing: no element is ever removed.
+  void set_recycle_garbage(bool) {}
+  /// returns `true`, the default of `Surface_mesh`.
+  bool does_recycle_garbage() const { return true; }
   /// @}
 
   /// \name Navigation
@@ -539,7 +563,7 @@ public:
   /// @}
 
 private:
-  friend class internal::Mesh_construction<Self>;
+  template <class Mesh, class Owner> friend class internal::Mesh_construction;
 
   size_type number_of(Vertex_tag) const { return static_cast<size_type>(m_layout.num_vertices()); }
   size_type number_of(Halfedge_tag) const { return static_cast<size_type>(m_layout.num_halfedges()); }

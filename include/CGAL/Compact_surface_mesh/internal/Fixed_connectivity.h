@@ -10,6 +10,8 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
+#include <type_traits>
+
 namespace CGAL {
 
 namespace internal {
@@ -36,8 +38,14 @@ public:
   template <class... Args> void set_next_only(const Args&...) { refuse<void, Args...>(); }
   template <class... Args> void set_prev_only(const Args&...) { refuse<void, Args...>(); }
   template <class... Args> void set_halfedge(const Args&...) { refuse<void, Args...>(); }
+  template <class... Args> void resize(const Args&...) { refuse<void, Args...>(); }
   template <class... Args> void set_vertex_halfedge_to_border_halfedge(const Args&...) { refuse<void, Args...>(); }
   template <class... Args> bool join(const Args&...) { return refuse<bool, Args...>(); }
+  template <class Other> Fixed_connectivity& operator+=(const Other&)
+  {
+    refuse<void, Other>();
+    return *this;
+  }
 
 private:
   template <class Result, class... Args>
@@ -46,7 +54,8 @@ private:
     static_assert(connectivity_can_be_edited<Result, Args...>,
                   "The connectivity of a CGAL::Compact_surface_mesh is fixed. Edit a CGAL::Surface_mesh,"
                   " and construct a Compact_surface_mesh from it when you are done.");
-    return Result();
+    if constexpr (!std::is_void<Result>::value)
+      return Result();
   }
 };
 

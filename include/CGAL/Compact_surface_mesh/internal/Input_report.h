@@ -14,6 +14,7 @@
 
 #include <CGAL/Compact_surface_mesh/Mesh_defect_exception.h>
 #include <CGAL/Compact_surface_mesh/internal/for_each_side.h>
+#include <CGAL/Compact_surface_mesh/internal/simple_property_maps.h>
 #include <CGAL/Compact_surface_mesh/parameters.h>
 
 #include <CGAL/Cartesian_converter.h>
@@ -24,6 +25,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <type_traits>
@@ -34,12 +36,20 @@ namespace CGAL {
 
 namespace internal {
 
-// The point p as a Point, converted between kernels where C++ does not convert it.
+template <class T>
+struct Is_array_of_3 : std::false_type {};
+
+template <class Number>
+struct Is_array_of_3<std::array<Number, 3> > : std::true_type {};
+
+// The point p as a Point, converted between kernels where C++ does not convert it. Three coordinates are a point, too.
 template <class Point, class Source>
 Point converted_point(const Source& p)
 {
   if constexpr (std::is_convertible<const Source&, Point>::value)
     return p;
+  else if constexpr (Is_array_of_3<Source>::value)
+    return Point(p[0], p[1], p[2]);
   else
     return Cartesian_converter<typename Kernel_traits<Source>::Kernel, typename Kernel_traits<Point>::Kernel>()(p);
 }
@@ -159,6 +169,13 @@ public:
   template <class Visitor>
   void for_each_halfedge(Visitor) const {} // a soup has none to name
 
+  static constexpr bool has_maps_that_need_halfedges() { return false; }
+
+  // A soup has no property maps.
+  template <class Images, class Mesh, class Owner>
+  void copy_maps(const Images&, const Mesh&, Owner&) const
+  {}
+
 private:
   const PointRange& m_points;
   const PolygonRange& m_polygons;
@@ -208,6 +225,38 @@ public:
     }
   }
 
+  bool has_maps_that_need_halfedges() const { return maps_need_halfedges(m_graph); }
+
+  // Copies the graph's simple property maps to those that `owner` adds to the mesh.
+  template <class Images, class Mesh, class Owner>
+  void copy_maps(const Images& images, const Mesh& mesh, Owner& owner) const
+  {
+    if constexpr (has_property_maps<FaceGraph>) {
+      using Vertex = typename Mesh::Vertex_index;
+      using Halfedge = typename Mesh::Halfedge_index;
+      copy_simple_maps<typename FaceGraph::Vertex_index, Vertex>(m_graph, owner, [&](const auto& visit) {
+        for_each_vertex([&](const auto& v, std::size_t i) { visit(v, Vertex(images.vertices[i])); });
+      });
+      if (!has_maps_that_need_halfedges())
+        return;
+      const auto for_each_halfedge_pair = [&](const auto& visit) {
+        for_each_halfedge([&](const auto& h, std::size_t i, bool is_other_side) {
+          const Halfedge image(images.halfedges[i]);
+          visit(h, is_other_side ? mesh.opposite(image) : image);
+        });
+      };
+      copy_simple_maps<typename FaceGraph::Halfedge_index, Halfedge>(m_graph, owner, for_each_halfedge_pair);
+      const auto for_each_edge_pair = [&](const auto& visit) {
+        for_each_halfedge_pair([&](const auto& h, Halfedge image) { visit(m_graph.edge(h), mesh.edge(image)); });
+      };
+      copy_simple_maps<typename FaceGraph::Edge_index, typename Mesh::Edge_index>(m_graph, owner, for_each_edge_pair);
+      const auto for_each_face_pair = [&](const auto& visit) {
+        for_each_face([&](const auto& f, std::size_t i) { visit(f, mesh.face(Halfedge(images.halfedges[i]))); });
+      };
+      copy_simple_maps<typename FaceGraph::Face_index, typename Mesh::Face_index>(m_graph, owner, for_each_face_pair);
+    }
+  }
+
 private:
   template <class Vertex>
   std::size_t index(Vertex v) const { return static_cast<std::size_t>(get(m_index, v)); }
@@ -235,28 +284,29 @@ bool wants_halfedges(const NamedParameters& np)
 }
 
 // Adds the property maps that tell the indices of vertices and faces in the input.
-template <class Input, class Images, class Mesh, class FaceOfSide>
-void add_input_index_maps(const Input& input, const Images& images, Mesh& mesh, FaceOfSide face_of_side)
+template <class Mesh, class Input, class Images, class Owner, class FaceOfSide>
+void add_input_index_maps(const Input& input, const Images& images, Owner& owner, FaceOfSide face_of_side)
 {
   using size_type = typename Mesh::size_type;
   using Vertex_index = typename Mesh::Vertex_index;
-  auto vertex_number = mesh.template add_property_map<Vertex_index, size_type>("v:input_index").first;
+  auto vertex_number = owner.template add_property_map<Vertex_index, size_type>("v:input_index").first;
   for (std::size_t i = 0; i < images.vertices.size(); ++i)
     vertex_number[Vertex_index(images.vertices[i])] = static_cast<size_type>(i);
-  auto face_number = mesh.template add_property_map<typename Mesh::Face_index, size_type>("f:input_index").first;
+  auto face_number = owner.template add_property_map<typename Mesh::Face_index, size_type>("f:input_index").first;
   size_type k = 0;
   input.for_each_face([&](const auto&, std::size_t side) { face_number[face_of_side(side)] = k++; });
 }
 
-// Tells what became of the elements of the input, of which `images` knows what is asked for.
-template <class Input, class Images, class Mesh, class NamedParameters>
-void report_input(const Input& input, const Images& images, Mesh& mesh, const NamedParameters& np)
+// Copies property maps, and tells what became of the elements of the input, of which `images` knows what is asked for.
+template <class Input, class Images, class Mesh, class Owner, class NamedParameters>
+void report_input(const Input& input, const Images& images, const Mesh& mesh, Owner& owner, const NamedParameters& np)
 {
   const auto halfedge_of_side = [&](std::size_t i) { return typename Mesh::Halfedge_index(images.halfedges[i]); };
   const auto face_of_side = [&](std::size_t i) { return mesh.face(halfedge_of_side(i)); };
 
+  input.copy_maps(images, mesh, owner);
   if (wants_input_index_maps(np))
-    add_input_index_maps(input, images, mesh, face_of_side);
+    add_input_index_maps<Mesh>(input, images, owner, face_of_side);
 
   auto vertex_report = correspondence(np, internal_np::vertex_to_vertex_output_iterator,
                                       internal_np::vertex_to_vertex_map);

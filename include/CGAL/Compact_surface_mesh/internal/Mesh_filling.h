@@ -15,10 +15,29 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace internal {
+
+template <class Descriptor, class T>
+class Dynamic_descriptor_map;
+
+// Whether `Map` is a dynamic map of a mesh.
+template <class Map>
+struct Is_dynamic_map : std::false_type {};
+
+template <class Descriptor, class T>
+struct Is_dynamic_map<Dynamic_descriptor_map<Descriptor, T> > : std::true_type {};
+
+// Refuses maps that have no room for the elements to come.
+template <class Map>
+void check_map_of_empty_mesh()
+{
+  static_assert(!Is_dynamic_map<Map>::value,
+                "A dynamic property map of an empty mesh has no values: give one from add_property_map().");
+}
 
 // An empty mesh that is filled. Unless finish() was called, the mesh is as it was when this object is gone.
 template <class Mesh>
@@ -47,14 +66,25 @@ public:
 
   const Mesh& mesh() const { return m_mesh; }
 
-  // Makes the mesh that of a polygon soup, with the parameters of its constructor.
-  template <class Points, class Polygons, class NamedParameters>
-  void assign(const Points& points, const Polygons& polygons, const NamedParameters& np)
+  // Makes the mesh that of a polygon soup, with the parameters of its constructor. The points go to a map of the mesh
+  // if one comes last.
+  template <class Points, class Polygons, class NamedParameters, class... PointMap>
+  void take_soup(const Points& points, const Polygons& polygons, const NamedParameters& np,
+                 const PointMap&... point_map)
   {
-    Mesh_construction<Mesh>(m_mesh).take_soup(points, polygons, np);
+    (check_map_of_empty_mesh<PointMap>(), ...);
+    Mesh_construction<Mesh, Mesh_filling>(m_mesh, *this).take_soup(points, polygons, np, point_map...);
   }
 
-  // Adds a property map, or finds the one that the mesh has.
+  // Makes the mesh that of a graph, likewise.
+  template <class FaceGraph, class NamedParameters, class... PointMap>
+  void copy_graph(const FaceGraph& g, const NamedParameters& np, const PointMap&... point_map)
+  {
+    (check_map_of_empty_mesh<PointMap>(), ...);
+    Mesh_construction<Mesh, Mesh_filling>(m_mesh, *this).copy_graph(g, np, point_map...);
+  }
+
+  // Adds a property map, or finds the one that the mesh has, as the function of the mesh does.
   template <class Element, class T>
   auto add_property_map(const std::string& name, const T& default_value = T())
   {
@@ -64,7 +94,7 @@ public:
         if (map)
           m_mesh.remove_property_map(map);
       });
-    return m_mesh.template add_property_map<Element, T>(name, default_value).first;
+    return m_mesh.template add_property_map<Element, T>(name, default_value);
   }
 
   void finish() { m_is_finished = true; }

@@ -34,22 +34,15 @@ struct graph_traits<CGAL::Compact_surface_mesh<Point, Layout> >
 private:
   using Mesh = CGAL::Compact_surface_mesh<Point, Layout>;
 
-  struct Traversal_category
-    : public virtual bidirectional_graph_tag
-    , public virtual vertex_list_graph_tag
-    , public virtual edge_list_graph_tag
-    , public virtual adjacency_graph_tag
-  {};
-
 public:
   using vertex_descriptor = typename Mesh::Vertex_index;
   using halfedge_descriptor = typename Mesh::Halfedge_index;
   using edge_descriptor = typename Mesh::Edge_index;
   using face_descriptor = typename Mesh::Face_index;
 
-  using directed_category = undirected_tag;
-  using edge_parallel_category = disallow_parallel_edge_tag;
-  using traversal_category = Traversal_category;
+  using directed_category = typename Mesh::directed_category;
+  using edge_parallel_category = typename Mesh::edge_parallel_category;
+  using traversal_category = typename Mesh::traversal_category;
 
   using vertex_iterator = typename Mesh::Vertex_iterator;
   using halfedge_iterator = typename Mesh::Halfedge_iterator;
@@ -60,13 +53,13 @@ public:
   using out_edge_iterator = CGAL::Out_edge_iterator<Mesh>;
   using adjacency_iterator = CGAL::Vertex_around_target_iterator<Mesh>;
 
-  using vertices_size_type = typename Mesh::size_type;
-  using halfedges_size_type = typename Mesh::size_type;
-  using edges_size_type = typename Mesh::size_type;
-  using faces_size_type = typename Mesh::size_type;
-  using degree_size_type = typename Mesh::size_type;
+  using vertices_size_type = typename Mesh::vertices_size_type;
+  using halfedges_size_type = typename Mesh::halfedges_size_type;
+  using edges_size_type = typename Mesh::edges_size_type;
+  using faces_size_type = typename Mesh::faces_size_type;
+  using degree_size_type = typename Mesh::degree_size_type;
 
-  using vertex_property_type = Point;
+  using vertex_property_type = typename Mesh::vertex_property_type;
 
   static vertex_descriptor null_vertex() { return vertex_descriptor(); }
   static halfedge_descriptor null_halfedge() { return halfedge_descriptor(); }
@@ -316,6 +309,13 @@ adjacent_vertices(typename Compact_surface_mesh<P, L>::Vertex_index v, const Com
 template <class P, class L>
 void normalize_border(const Compact_surface_mesh<P, L>&)
 {}
+
+/// makes `g` empty and keeps its property maps.
+template <class P, class L>
+void remove_all_elements(Compact_surface_mesh<P, L>& g)
+{
+  g.clear_without_removing_property_maps();
+}
 
 } // namespace CGAL
 

@@ -49,7 +49,7 @@ void store_properties(Mesh_filling<Mesh>& filling, const PLY_table& table, const
   for (const PLY_column& column : table.columns())
     column.numbers.visit([&](const auto& values) {
       using T = typename std::decay_t<decltype(values)>::value_type;
-      const auto map = filling.template add_property_map<Element, T>(prefix + column.name);
+      const auto map = filling.template add_property_map<Element, T>(prefix + column.name).first;
       for (std::size_t i = 0; i < elements.size(); ++i)
         if (elements[i].is_valid())
           put(map, elements[i], values[i]);

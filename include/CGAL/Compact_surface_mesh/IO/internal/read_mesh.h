@@ -28,7 +28,6 @@
 #include <exception>
 #include <iostream>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -73,18 +72,10 @@ bool attempt(const Read& read, bool verbose)
 template <class NamedParameters, class Tag>
 constexpr bool is_given = !parameters::is_default_parameter<NamedParameters, Tag>::value;
 
-// Whether `Map` is a dynamic map of a mesh.
-template <class Map>
-struct Is_dynamic_map : std::false_type {};
-
-template <class Descriptor, class T>
-struct Is_dynamic_map<CGAL::internal::Dynamic_descriptor_map<Descriptor, T> > : std::true_type {};
-
 template <class Map, class Values, class Elements>
 void put_all(const Map& map, const Values& values, const Elements& elements)
 {
-  static_assert(!Is_dynamic_map<Map>::value,
-                "A dynamic property map of an empty mesh has no values: give one from add_property_map().");
+  CGAL::internal::check_map_of_empty_mesh<Map>();
   CGAL_assertion(values.size() <= elements.size());
   for (typename Values::size_type i = 0; i < values.size(); ++i)
     put(map, elements[i], values[i]);
@@ -116,11 +107,10 @@ public:
   // Stores the attributes that are wanted in the maps that the caller gives, or in the mesh.
   void fill(const Soup& soup, bool wants_faces)
   {
-    if constexpr (is_given<internal_np::vertex_point_t>) {
-      assign(std::vector<typename Mesh::Point>(soup.points.size()), soup.polygons, wants_faces);
-      put_all(parameters::get_parameter(m_np, internal_np::vertex_point), soup.points, vertices);
-    } else
-      assign(soup.points, soup.polygons, wants_faces);
+    if constexpr (is_given<internal_np::vertex_point_t>)
+      assign(soup, wants_faces, parameters::get_parameter(m_np, internal_np::vertex_point));
+    else
+      assign(soup, wants_faces);
     const Color black(0, 0, 0);
     store(soup.vertex_normals, internal_np::vertex_normal_map, "v:normal", vertices, NULL_VECTOR);
     store(soup.vertex_colors, internal_np::vertex_color_map, "v:color", vertices, black);
@@ -132,16 +122,16 @@ public:
   std::vector<typename Mesh::Face_index> faces;
 
 private:
-  template <class Points, class Polygons>
-  void assign(const Points& points, const Polygons& polygons, bool wants_faces)
+  template <class... PointMap>
+  void assign(const Soup& soup, bool wants_faces, const PointMap&... point_map)
   {
-    vertices.resize(points.size());
+    vertices.resize(soup.points.size());
     const auto np = parameters::vertex_to_vertex_map(make_property_map(vertices));
     if (wants_faces) {
-      faces.resize(polygons.size());
-      m_filling.assign(points, polygons, np.face_to_face_map(make_property_map(faces)));
+      faces.resize(soup.polygons.size());
+      m_filling.take_soup(soup.points, soup.polygons, np.face_to_face_map(make_property_map(faces)), point_map...);
     } else
-      m_filling.assign(points, polygons, np);
+      m_filling.take_soup(soup.points, soup.polygons, np, point_map...);
   }
 
   template <class T, class Tag, class Element, class Default>
@@ -153,7 +143,7 @@ private:
     if constexpr (is_given<Tag>)
       put_all(parameters::get_parameter(m_np, tag), attribute.values, elements);
     else
-      put_all(m_filling.template add_property_map<Element>(name, T(default_value)), attribute.values, elements);
+      put_all(m_filling.template add_property_map<Element>(name, T(default_value)).first, attribute.values, elements);
   }
 
   Mesh_filling<Mesh>& m_filling;
