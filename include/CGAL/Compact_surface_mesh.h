@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
 // All of Compact_surface_mesh by one include: the class and its layouts, what makes it a graph for the algorithms
-// of CGAL and Boost, and its input and output.
+// of CGAL and Boost, its input and output, and CGAL's functions that fill meshes.
 
 #ifndef CGAL_COMPACT_SURFACE_MESH_H
 #define CGAL_COMPACT_SURFACE_MESH_H
@@ -19,7 +19,11 @@
 #include <CGAL/Compact_surface_mesh/IO/3MF.h>
 #include <CGAL/Compact_surface_mesh/IO/polygon_mesh_io.h>
 #include <CGAL/Compact_surface_mesh/IO/repaired_polygon_mesh_io.h>
+#include <CGAL/Compact_surface_mesh/convex_hull_3.h>
 #include <CGAL/Compact_surface_mesh/mesh_3.h>
+#include <CGAL/Compact_surface_mesh/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Compact_surface_mesh/surface_mesh_topology.h>
+#include <CGAL/boost/graph/copy_face_graph_Compact_surface_mesh.h>
+#include <CGAL/boost/graph/generators_Compact_surface_mesh.h>
 
 #endif // CGAL_COMPACT_SURFACE_MESH_H
