@@ -45,6 +45,14 @@ set_tests_properties(package.examples_configure_alone PROPERTIES
 set_tests_properties(package.examples_build_alone PROPERTIES
   FIXTURES_REQUIRED configured_examples)
 
+# What edits connectivity does not compile, and says what to do.
+get_target_property(cgal_includes CGAL::CGAL INTERFACE_INCLUDE_DIRECTORIES)
+list(JOIN cgal_includes "|" cgal_includes)
+add_test(NAME package.edits_do_not_compile
+  COMMAND "${CMAKE_COMMAND}"
+    "-DCOMPILER=${CMAKE_CXX_COMPILER}" "-DINCLUDES=${package_dir}/include|${cgal_includes}"
+    -P "${CMAKE_CURRENT_SOURCE_DIR}/refused/compile.cmake")
+
 # The examples run, on a sphere of 2,050 vertices and on a small one for the drawing.
 if(COMPACT_SURFACE_MESH_BUILD_EXAMPLES)
   file(MAKE_DIRECTORY "${scratch_dir}")
