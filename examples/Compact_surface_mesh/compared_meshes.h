@@ -15,6 +15,7 @@
 #include <CGAL/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/Input_order_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/Laced_ring_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
@@ -43,6 +44,7 @@ using Surface_mesh = CGAL::Surface_mesh<Point>;
 using Layouts = std::tuple<CGAL::Schnyder_parents_layout<4>,
                            CGAL::Schnyder_parents_layout<5>,
                            CGAL::Schnyder_parents_layout<6>,
+                           CGAL::Input_order_layout<>,
                            CGAL::Schnyder_fronts_layout<6>,
                            CGAL::Schnyder_fronts_layout<5>,
                            CGAL::Schnyder_fronts_layout<4>,

@@ -17,6 +17,7 @@
 #include "test_scale.h"
 
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/Input_order_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/Laced_ring_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
@@ -123,7 +124,9 @@ typedef testing::Types<CGAL::Corner_table_layout<>,
                        CGAL::SQuad_layout<std::uint64_t>,
                        CGAL::Laced_ring_layout<>,
                        CGAL::Laced_ring_layout<std::uint32_t, std::uint16_t>,
-                       CGAL::Schnyder_parents_layout<4, std::uint64_t>>
+                       CGAL::Schnyder_parents_layout<4, std::uint64_t>,
+                       CGAL::Input_order_layout<>,
+                       CGAL::Input_order_layout<CGAL::Corner_table_layout<>, CGAL::Input_order::VERTICES_AND_FACES>>
     All_layouts;
 TYPED_TEST_SUITE(Layouts, All_layouts);
 
@@ -417,6 +420,39 @@ TEST(Schnyder_parents_layout, keeps_red_siblings_consecutive_and_the_root_face_l
     if (u == 0 || layout.target(6 * u) != layout.target(6 * (u - 1))) {
       EXPECT_TRUE(parents.insert(layout.target(6 * u)).second);
     }
+}
+
+// What an Input_order_layout renumbers of a soup, or nothing.
+template <class Layout>
+std::string renumbered(const test::Polygon_soup& soup, bool are_faces_kept)
+{
+  CGAL::Input_images<typename Layout::Index> images;
+  images.wants_halfedges = true;
+  const Layout layout = test::layout_of<Layout>(soup, images);
+  for (std::size_t v = 0; v < images.vertices.size(); ++v)
+    if (images.vertices[v] != v)
+      return "vertex " + std::to_string(v);
+  std::size_t side = 0;
+  for (std::size_t f = 0; are_faces_kept && f < soup.faces.size(); side += soup.faces[f++].size()) {
+    if (layout.face(images.halfedges[side]) != f)
+      return "face " + std::to_string(f);
+    const auto corners = layout.vertices_of_face(static_cast<typename Layout::Index>(f));
+    if (std::count(soup.faces[f].begin(), soup.faces[f].end(), corners[0]) != 1)
+      return "vertices of face " + std::to_string(f);
+  }
+  return "";
+}
+
+TEST(Input_order_layout, keeps_the_order_of_the_input)
+{
+  typedef CGAL::Schnyder_parents_layout<> Layout;
+  for (unsigned int seed = 0; seed < test::scaled(300) + 10; ++seed) {
+    const test::Polygon_soup soup = test::random_surface(seed);
+    ASSERT_EQ(renumbered<CGAL::Input_order_layout<Layout>>(soup, false), "") << seed;
+    typedef CGAL::Input_order_layout<Layout, CGAL::Input_order::VERTICES_AND_FACES> Ordered;
+    ASSERT_EQ(renumbered<Ordered>(soup, true), "") << seed;
+    ASSERT_EQ(test::difference_from_soup<Ordered>(soup), "") << seed;
+  }
 }
 
 } // namespace

@@ -22,6 +22,7 @@ Orientation is as in `FaceGraph`: a face lies to the left of its halfedges,
 \cgalHasModels{CGAL::SOT_layout<Index_>}
 \cgalHasModels{CGAL::SQuad_layout<Index_>}
 \cgalHasModels{CGAL::Laced_ring_layout<Index_, Entry>}
+\cgalHasModels{CGAL::Input_order_layout<Layout\,order>}
 \cgalHasModelsEnd
 
 \sa `CGAL::Compact_surface_mesh`
