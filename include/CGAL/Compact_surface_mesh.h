@@ -14,6 +14,7 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/Compact_surface_mesh.h>
+#include <CGAL/Compact_surface_mesh/heat_method_3.h> // with Surface_mesh, whose readers CGAL's headers then find
 #include <CGAL/boost/graph/graph_traits_Compact_surface_mesh.h>
 #include <CGAL/boost/graph/properties_Compact_surface_mesh.h>
 #include <CGAL/Compact_surface_mesh/IO/3MF.h>

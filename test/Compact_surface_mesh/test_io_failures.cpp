@@ -11,7 +11,9 @@
 #include "binary_off.h"
 #include "temporary_file.h"
 
-#include <CGAL/Compact_surface_mesh.h>
+#include <CGAL/Compact_surface_mesh/IO/3MF.h>
+#include <CGAL/Compact_surface_mesh/IO/polygon_mesh_io.h>
+#include <CGAL/Compact_surface_mesh/IO/repaired_polygon_mesh_io.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h> // after the overload that calls its functions
