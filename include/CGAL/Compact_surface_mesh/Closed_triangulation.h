@@ -89,8 +89,9 @@ public:
   explicit Closed_triangulation(Simple_triangulation<Index>&& t)
     : m_simple(std::move(t)), m_num_open_faces(table().num_faces()), m_first_copy(table().num_vertices())
   {
-    part_vertices();
-    close_borders();
+    const std::vector<Index> border = border_halfedges();
+    part_vertices(border);
+    close_borders(border);
     find_components();
   }
 
@@ -177,16 +178,22 @@ private:
     return !m_components.empty() && table().vertex(3 * f + 2) >= first_apex();
   }
 
-  // The first fan that is met keeps the vertex.
-  void part_vertices()
+  std::vector<Index> border_halfedges() const
   {
-    std::vector<bool> has_fan;
-    for (std::size_t i = 0; i < table().num_halfedges(); ++i) {
-      const Index h = static_cast<Index>(i);
-      if (table().opposite(h) != Table::null())
-        continue;
-      if (has_fan.empty())
-        has_fan.resize(m_first_copy, false);
+    std::vector<Index> border;
+    for (std::size_t h = 0; h < table().num_halfedges(); ++h)
+      if (table().opposite(static_cast<Index>(h)) == Table::null())
+        border.push_back(static_cast<Index>(h));
+    return border;
+  }
+
+  // The first fan that is met keeps the vertex.
+  void part_vertices(const std::vector<Index>& border)
+  {
+    if (border.empty())
+      return;
+    std::vector<bool> has_fan(m_first_copy, false);
+    for (const Index h : border) {
       const Index v = table().source(h);
       if (has_fan[v]) {
         const Index copy = m_simple.table().add_vertex();
@@ -198,18 +205,15 @@ private:
     }
   }
 
-  void close_borders()
+  void close_borders(const std::vector<Index>& border)
   {
-    std::size_t num_border_halfedges = 0;
-    for (std::size_t h = 0; h < table().num_halfedges(); ++h)
-      num_border_halfedges += table().opposite(static_cast<Index>(h)) == Table::null() ? 1 : 0;
-    if (num_border_halfedges == 0)
+    if (border.empty())
       return;
-    m_simple.table().reserve_further_faces(num_border_halfedges);
-    for (std::size_t h = 0; h < 3 * m_num_open_faces; ++h)
-      if (table().opposite(static_cast<Index>(h)) == Table::null()) {
+    m_simple.table().reserve_further_faces(border.size());
+    for (const Index h : border)
+      if (table().opposite(h) == Table::null()) { // no apex yet
         const std::size_t before = table().num_faces();
-        const Index apex = m_simple.table().close_border(static_cast<Index>(h));
+        const Index apex = m_simple.table().close_border(h);
         m_roots.push_back({ apex, static_cast<Index>(3 * before), static_cast<Index>(table().num_faces() - before) });
       }
   }
@@ -226,10 +230,14 @@ private:
     typedef boost::iterator_property_map<unsigned char*, Vertex_map> Rank_map;
     typedef boost::iterator_property_map<Index*, Vertex_map> Parent_map;
     boost::disjoint_sets<Rank_map, Parent_map> sets{ Rank_map(rank.data()), Parent_map(parent.data()) };
-    for (std::size_t h = 0; h < 3 * m_num_open_faces; ++h) {
-      const Index s = table().source(static_cast<Index>(h)), t = table().target(static_cast<Index>(h));
-      if (s < t || table().opposite(static_cast<Index>(h)) >= 3 * m_num_open_faces)
-        sets.union_set(s, t);
+    const auto unite = [&](Index u, Index v) {
+      if (parent[u] != parent[v]) // most edges need no search
+        sets.union_set(u, v);
+    };
+    for (std::size_t h = 0; h < 3 * m_num_open_faces; h += 3) {
+      const Index v = table().vertex(static_cast<Index>(h));
+      unite(v, table().vertex(static_cast<Index>(h + 1)));
+      unite(v, table().vertex(static_cast<Index>(h + 2)));
     }
     std::vector<unsigned char>().swap(rank);
 

@@ -130,12 +130,13 @@ public:
     list.index_corners();
     std::vector<Index> opposite(list.num_halfedges());
     internal::Halfedge_matching<Index, Polygon_list> matching(list, opposite);
-    const bool has_double_edges = !graph_faces.pair_by_ends(matching, opposite);
-    if (has_double_edges)
+    if (graph_faces.pair_by_ends(matching, opposite))
+      matching.check_vertices();
+    else {
       graph_faces.pair(opposite);
-    matching.check_vertices();
-    if (has_double_edges)
+      internal::check_vertices(list, opposite);
       split_double_edges(list, opposite);
+    }
     triangulate(list, opposite);
   }
 

@@ -11,7 +11,10 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/Mesh_defect_exception.h>
+#include <CGAL/Compact_surface_mesh/internal/Vertex_fans.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -27,6 +30,8 @@ namespace internal {
 template <class Index, class Faces>
 class Halfedge_matching
 {
+  static constexpr std::size_t batch_size = 16;
+
 public:
   static constexpr Index null() { return (std::numeric_limits<Index>::max)(); }
 
@@ -47,24 +52,20 @@ public:
   //
   // Goes from vertex to vertex: those that end at v are noted at their sources, where those
   // that start at v find them. Until the turn of its vertex comes, the entry of a corner in
-  // m_opposite links the corners of that vertex.
+  // m_opposite links the corners of that vertex. Its fans are looked at while all that is in the cache.
   bool pair_by_ends()
   {
-    for (std::size_t i = 0; i < m_corner.size(); ++i) {
-      const Index v = static_cast<Index>(i);
-      for (Index c = m_corner[v]; c != null(); c = m_opposite[c]) {
-        const Index p = m_faces.prev(c);
-        const Index u = m_faces.vertex(p);
-        if (is_noted(v, u)) {
-          m_conflict = p;
+    std::array<std::vector<Wedge>, batch_size> batch;
+    Vertex_fans<Index, Faces> fans(m_faces, m_opposite);
+    for (std::size_t first = 0; first < m_corner.size(); first += batch_size) {
+      const std::size_t end = (std::min)(m_corner.size(), first + batch_size);
+      gather(first, end, batch);
+      for (std::size_t v = first; v < end; ++v) {
+        const std::vector<Wedge>& wedges = batch[v - first];
+        if (!pair_at(static_cast<Index>(v), wedges))
           return false;
-        }
-        m_incoming[u] = p;
-      }
-      for (Index c = m_corner[v], following; c != null(); c = following) {
-        following = m_opposite[c];
-        const Index w = target(c);
-        m_opposite[c] = is_noted(v, w) ? m_incoming[w] : null();
+        if (m_nonmanifold_vertex == null() && !wedges.empty() && !fans.is_manifold(wedges))
+          m_nonmanifold_vertex = static_cast<Index>(v);
       }
     }
     return true;
@@ -92,54 +93,60 @@ public:
                                                       : Mesh_defect::inconsistent_orientation;
   }
 
-  // Every vertex must have one closed fan, or open fans only.
-  void check_vertices()
+  // Throws if pair_by_ends(), which did not stop, met a vertex that has closed and other fans.
+  void check_vertices() const
   {
-    std::vector<Index>& unseen = m_incoming;
-    unseen.assign(unseen.size(), 0);
-    for (std::size_t c = 0; c < m_opposite.size(); ++c)
-      ++unseen[m_faces.vertex(static_cast<Index>(c))];
-    for (std::size_t v = 0; v < unseen.size(); ++v) {
-      if (unseen[v] == 0)
-        continue;
-      const Fan fan = fan_from(m_corner[v]);
-      if (fan.closed && fan.size != unseen[v])
-        throw Mesh_defect_exception(Mesh_defect::nonmanifold_vertex, v);
-      if (fan.closed)
-        unseen[v] = 0;
-    }
-    for (std::size_t h = 0; h < m_opposite.size(); ++h)
-      if (m_opposite[h] == null())
-        unseen[m_faces.vertex(static_cast<Index>(h))] -= fan_from(static_cast<Index>(h)).size;
-    for (std::size_t v = 0; v < unseen.size(); ++v)
-      if (unseen[v] != 0)
-        throw Mesh_defect_exception(Mesh_defect::nonmanifold_vertex, v);
+    if (m_nonmanifold_vertex != null())
+      throw Mesh_defect_exception(Mesh_defect::nonmanifold_vertex, m_nonmanifold_vertex);
   }
 
 private:
-  struct Fan
+  // A corner, and the vertices before and after it in its face.
+  struct Wedge
   {
-    Index size;
-    bool closed;
+    Index corner, source, target;
+    operator Index() const { return corner; }
   };
 
-  // The corners from c on counterclockwise, to a border or around.
-  Fan fan_from(Index c) const
+  // Finds the wedges of the vertices from first to before end. Each list is a chain of cache misses, if the
+  // order of faces is a bad one; those of several vertices are waited for together.
+  void gather(std::size_t first, std::size_t end, std::array<std::vector<Wedge>, batch_size>& batch) const
   {
-    Fan fan = { 0, false };
-    Index d = c;
-    do {
-      ++fan.size;
-      d = m_opposite[m_faces.prev(d)];
-    } while (d != c && d != null());
-    fan.closed = d == c;
-    return fan;
+    std::array<Index, batch_size> corner;
+    for (std::size_t i = 0; first + i < end; ++i) {
+      corner[i] = m_corner[first + i];
+      batch[i].clear();
+    }
+    for (bool found = true; found;) {
+      found = false;
+      for (std::size_t i = 0; first + i < end; ++i) {
+        const Index c = corner[i];
+        if (c == null())
+          continue;
+        found = true;
+        batch[i].push_back({ c, m_faces.vertex(m_faces.prev(c)), target(c) });
+        corner[i] = m_opposite[c];
+      }
+    }
+  }
+
+  bool pair_at(Index v, const std::vector<Wedge>& wedges)
+  {
+    for (const Wedge& w : wedges)
+      m_incoming[w.source] = m_faces.prev(w.corner);
+    for (const Wedge& w : wedges)
+      if (m_incoming[w.source] != m_faces.prev(w.corner)) {
+        m_conflict = m_incoming[w.source];
+        return false;
+      }
+    for (const Wedge& w : wedges) {
+      const Index p = m_incoming[w.target];
+      m_opposite[w.corner] = p != null() && target(p) == v ? p : null();
+    }
+    return true;
   }
 
   Index target(Index h) const { return m_faces.vertex(m_faces.next(h)); }
-
-  // Whether a halfedge from u to v is noted.
-  bool is_noted(Index v, Index u) const { return m_incoming[u] != null() && target(m_incoming[u]) == v; }
 
   // Whether two faces have the same vertices from these corners on. As the same vertex comes
   // last in both, and no vertex twice, neither can end while they agree and the other goes on.
@@ -160,6 +167,7 @@ private:
   std::vector<Index> m_corner;   // of each vertex: the first one
   std::vector<Index> m_incoming; // halfedge that was noted last at each source
   Index m_conflict = null();
+  Index m_nonmanifold_vertex = null(); // the first one
 };
 
 // Pairs halfedges by their ends, and checks that the faces are an oriented manifold.
