@@ -72,7 +72,9 @@ private:
     for (int i = 0; i <= steps; ++i) {
       std::array<Choice, 9> kept;
       int num_kept = 0;
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+        if (is_in_vain(h))
+          continue;
         for (const Choice& choice : {Choice{h, true}, Choice{m_matched.preceding(h), true}, Choice{h, false}}) {
           const Value value = value_of(f, choice);
           if (value == gains) {
@@ -82,17 +84,27 @@ private:
           if (value == keeps)
             kept[num_kept++] = choice;
         }
+      }
       if (num_kept == 0 || i == steps)
         return;
       f = choose(kept[m_random.uniform_int<int>(0, num_kept - 1)]);
     }
   }
 
+  // Whether the target of h has two triangles, none of them beside that of h: all choices lose then.
+  bool is_in_vain(Index h) const
+  {
+    const Index v = m_matched.table().target(h);
+    return m_matched.is_apex(v)
+           || (m_is_pair[v] && m_matched.owner(Table::face(m_matched.following(h))) != v
+               && m_matched.owner(Table::face(m_matched.preceding(h))) != v);
+  }
+
   // What the choice, of which f is a part, does to the number of quads.
   Value value_of(Index f, const Choice& choice) const
   {
     const Index v = m_matched.table().target(choice.into);
-    if (m_matched.is_apex(v) || m_matched.into(v) == null())
+    if (m_matched.into(v) == null())
       return loses;
     if (!choice.is_pair)
       return m_is_pair[v] || is_fixed(v) ? loses : keeps;
