@@ -29,14 +29,25 @@ void for_each_halfedge_into(const Layout& layout, Index v, Visitor&& visit)
   } while (h != first);
 }
 
-// Calls visit(u, w) for each face at v, where u follows and w precedes v.
+// Calls visit(u, w) for each face at v, where u follows and w precedes v. A vertex is asked for once, since
+// that may take long.
 template <class Layout, class Index, class Visitor>
 void for_each_corner_at(const Layout& layout, Index v, Visitor&& visit)
 {
-  for_each_halfedge_into(layout, v, [&](typename Layout::Halfedge h) {
+  const typename Layout::Halfedge first = layout.halfedge_of_vertex(v);
+  if (first == Layout::null_index())
+    return;
+  const typename Layout::Index last = layout.source(first);
+  typename Layout::Index preceding = last;
+  typename Layout::Halfedge h = first;
+  do {
+    const typename Layout::Halfedge following_h = layout.opposite(layout.next(h));
+    const typename Layout::Index following = following_h == first ? last : layout.source(following_h);
     if (layout.face(h) != Layout::null_index())
-      visit(layout.target(layout.next(h)), layout.source(h));
-  });
+      visit(following, preceding);
+    h = following_h;
+    preceding = following;
+  } while (h != first);
 }
 
 } // namespace internal
