@@ -14,6 +14,8 @@
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Triangle_numbering.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -74,12 +76,18 @@ public:
   std::size_t num_halfedges() const { return m_numbering.num_halfedges(); }
   std::size_t num_faces() const { return m_numbering.num_faces(); }
 
-  Index next(Index h) const { return is_border(h) ? next_on_border(h) : Corner_table<Index>::next(h); }
-  Index prev(Index h) const { return is_border(h) ? prev_on_border(h) : Corner_table<Index>::prev(h); }
-  Index opposite(Index h) const { return halfedge_at(m_table.opposite(corner(h))); }
-  Index source(Index h) const { return m_table.source(corner(h)); }
-  Index target(Index h) const { return m_table.target(corner(h)); }
-  Index face(Index h) const { return is_border(h) ? null() : Corner_table<Index>::face(h); }
+  BOOST_FORCEINLINE Index next(Index h) const
+  {
+    return is_border(h) ? next_on_border(h) : Corner_table<Index>::next(h);
+  }
+  BOOST_FORCEINLINE Index prev(Index h) const
+  {
+    return is_border(h) ? prev_on_border(h) : Corner_table<Index>::prev(h);
+  }
+  BOOST_FORCEINLINE Index opposite(Index h) const { return halfedge_at(m_table.opposite(corner(h))); }
+  BOOST_FORCEINLINE Index source(Index h) const { return m_table.source(corner(h)); }
+  BOOST_FORCEINLINE Index target(Index h) const { return m_table.target(corner(h)); }
+  BOOST_FORCEINLINE Index face(Index h) const { return is_border(h) ? null() : Corner_table<Index>::face(h); }
   static Index halfedge_of_face(Index f) { return 3 * f; }
 
   Index halfedge_of_vertex(Index v) const
@@ -106,10 +114,10 @@ public:
   }
 
   // The halfedge that starts at corner c of the table, which is at no apex.
-  Index halfedge_at(Index c) const { return m_numbering.halfedge(m_table, c); }
+  BOOST_FORCEINLINE Index halfedge_at(Index c) const { return m_numbering.halfedge(m_table, c); }
 
   // The corner where h starts.
-  Index corner(Index h) const { return m_numbering.corner(m_table, h); }
+  BOOST_FORCEINLINE Index corner(Index h) const { return m_numbering.corner(m_table, h); }
 
   const Table& table() const { return m_table; }
   std::size_t border_bytes() const { return m_numbering.bytes(); }
@@ -162,8 +170,8 @@ private:
     return halfedge_at(Corner_table<Index>::prev(m_table.opposite(corner(h) + 2)));
   }
 
-  Index next_on_border(Index h) const { return linked(m_next, h, [&] { return next_in_fan(h); }); }
-  Index prev_on_border(Index h) const { return linked(m_prev, h, [&] { return prev_in_fan(h); }); }
+  BOOST_NOINLINE Index next_on_border(Index h) const { return linked(m_next, h, [&] { return next_in_fan(h); }); }
+  BOOST_NOINLINE Index prev_on_border(Index h) const { return linked(m_prev, h, [&] { return prev_in_fan(h); }); }
 
   template <class Otherwise>
   static Index linked(const std::vector<std::pair<Index, Index>>& links, Index h, const Otherwise& otherwise)

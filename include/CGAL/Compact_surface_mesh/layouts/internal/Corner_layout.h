@@ -18,6 +18,8 @@
 #include <CGAL/Compact_surface_mesh/layouts/internal/Triangle_numbering.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/around_vertex.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -103,17 +105,35 @@ public:
   /// @{
 
   /// returns the next halfedge counterclockwise around the face of `h`.
-  Index next(Index h) const { return m_mask.empty() ? m_corners.next(h) : m_mask.next(m_corners, h); }
+  BOOST_FORCEINLINE Index next(Index h) const
+  {
+    return m_mask.empty() ? m_corners.next(h) : masked([this, h] { return m_mask.next(m_corners, h); });
+  }
   /// returns the halfedge whose next one is `h`.
-  Index prev(Index h) const { return m_mask.empty() ? m_corners.prev(h) : m_mask.prev(m_corners, h); }
+  BOOST_FORCEINLINE Index prev(Index h) const
+  {
+    return m_mask.empty() ? m_corners.prev(h) : masked([this, h] { return m_mask.prev(m_corners, h); });
+  }
   /// returns the other halfedge of the edge of `h`.
-  Index opposite(Index h) const { return m_mask.empty() ? m_corners.opposite(h) : m_mask.opposite(m_corners, h); }
+  BOOST_FORCEINLINE Index opposite(Index h) const
+  {
+    return m_mask.empty() ? m_corners.opposite(h) : masked([this, h] { return m_mask.opposite(m_corners, h); });
+  }
   /// returns the vertex where `h` starts.
-  Index source(Index h) const { return m_mask.empty() ? m_corners.source(h) : m_mask.source(m_corners, h); }
+  BOOST_FORCEINLINE Index source(Index h) const
+  {
+    return m_mask.empty() ? m_corners.source(h) : masked([this, h] { return m_mask.source(m_corners, h); });
+  }
   /// returns the vertex where `h` ends.
-  Index target(Index h) const { return m_mask.empty() ? m_corners.target(h) : m_mask.target(m_corners, h); }
+  BOOST_FORCEINLINE Index target(Index h) const
+  {
+    return m_mask.empty() ? m_corners.target(h) : masked([this, h] { return m_mask.target(m_corners, h); });
+  }
   /// returns the face to the left of `h`, `null_index()` on a border.
-  Index face(Index h) const { return m_mask.empty() ? m_corners.face(h) : m_mask.face(m_corners, h); }
+  BOOST_FORCEINLINE Index face(Index h) const
+  {
+    return m_mask.empty() ? m_corners.face(h) : masked([this, h] { return m_mask.face(m_corners, h); });
+  }
   /// returns whether `h` is known to be a side of a triangle: always so in meshes without polygons.
   bool is_in_triangle(Index h) const { return m_mask.empty() && m_corners.face(h) != null_index(); }
   /// returns the edge of `h`, by the rank of a bit.
@@ -122,14 +142,16 @@ public:
   Index halfedge_of_edge(Index e) const { return m_edges.halfedge(m_corners, e); }
   /// returns a halfedge whose target is `v`, always the same: a border halfedge if `v` lies on a
   /// border, `null_index()` if `v` is isolated.
-  Index halfedge_of_vertex(Index v) const
+  BOOST_FORCEINLINE Index halfedge_of_vertex(Index v) const
   {
-    return m_mask.empty() ? m_corners.halfedge_of_vertex(v) : m_mask.halfedge_of_vertex(m_corners, v);
+    return m_mask.empty() ? m_corners.halfedge_of_vertex(v)
+                          : masked([this, v] { return m_mask.halfedge_of_vertex(m_corners, v); });
   }
   /// returns a halfedge of `f`, always the same.
-  Index halfedge_of_face(Index f) const
+  BOOST_FORCEINLINE Index halfedge_of_face(Index f) const
   {
-    return m_mask.empty() ? m_corners.halfedge_of_face(f) : m_mask.halfedge_of_face(m_corners, f);
+    return m_mask.empty() ? m_corners.halfedge_of_face(f)
+                          : masked([this, f] { return m_mask.halfedge_of_face(m_corners, f); });
   }
   /// returns the halfedge from `u` to `v`, `null_index()` if they are not adjacent, in time
   /// linear in the smaller degree.
@@ -196,6 +218,13 @@ protected:
 
 private:
   typedef internal::Mask<Index, false> Mask;
+
+  // Keeps the walks of the mask out of the code that has none.
+  template <class Answer>
+  BOOST_NOINLINE static Index masked(const Answer& answer)
+  {
+    return answer();
+  }
 
   Corners m_corners;
   Mask m_mask;

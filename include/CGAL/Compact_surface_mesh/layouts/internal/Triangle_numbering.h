@@ -13,9 +13,11 @@
 #include <CGAL/Compact_surface_mesh/internal/Emptied_on_move.h>
 #include <CGAL/Compact_surface_mesh/internal/Ranked_bits.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cstddef>
-#include <limits>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -30,9 +32,9 @@ Numbers faces and halfedges without holes, where a structure has triangles of al
 its own. Triangle t has the corners 3t, 3t+1 and 3t+2, which also name the halfedges that start there;
 one of kind `border` stands for the single halfedge that starts at 3t.
 
-Faces keep their order, face f has the halfedges 3f, 3f+1 and 3f+2, and those of borders follow. So
-numbers are those of the structure up to the first triangle that is no face. Where borders are in one
-piece they are found by a subtraction, else by ranks of bits.
+Faces keep their order, face f has the halfedges 3f, 3f+1 and 3f+2, and those of borders follow. So numbers
+are those of the structure before the first triangle that is no face, and behind the last one they
+differ by a constant. In between, a subtraction finds borders where they are in one piece, else it takes ranks of bits.
 */
 template <class Index>
 class Triangle_numbering
@@ -43,24 +45,28 @@ public:
   // The triangles before `num_faces` are faces, the others are borders.
   Triangle_numbering(std::size_t num_triangles, std::size_t num_faces)
     : m_num_sides(static_cast<Index>(3 * num_faces)), m_num_borders(static_cast<Index>(num_triangles - num_faces)),
-      m_first(m_num_sides)
+      m_first(m_num_sides), m_end(static_cast<Index>(3 * num_triangles)), m_shift(m_end - m_first)
   {}
 
   explicit Triangle_numbering(const std::vector<Triangle_kind>& kinds)
   {
-    const auto is_border = [](Triangle_kind kind) { return kind == Triangle_kind::border; };
     const auto is_face = [](Triangle_kind kind) { return kind == Triangle_kind::face; };
+    const auto is_border = [](Triangle_kind kind) { return kind == Triangle_kind::border; };
     const auto first = std::find_if_not(kinds.begin(), kinds.end(), is_face);
-    const auto end = std::find_if_not(first, kinds.end(), is_border);
+    const auto end = std::find_if_not(kinds.rbegin(), std::make_reverse_iterator(first), is_face).base();
     const std::size_t num_faces = static_cast<std::size_t>(std::count_if(kinds.begin(), kinds.end(), is_face));
     m_num_sides = static_cast<Index>(3 * num_faces);
-    m_num_borders = static_cast<Index>(std::count_if(kinds.begin(), kinds.end(), is_border));
+    m_num_borders = static_cast<Index>(std::count_if(first, end, is_border));
     m_first = static_cast<Index>(3 * (first - kinds.begin()));
-    if (std::all_of(end, kinds.end(), is_face))
+    m_end = static_cast<Index>(3 * (end - kinds.begin()));
+    m_shift = static_cast<Index>(3 * (kinds.size() - num_faces));
+    if (std::all_of(first, end, is_border))
       return;
-    m_faces = Ranked_bits(kinds.size(), [&](std::size_t t) { return is_face(kinds[t]); });
+    const std::size_t num_between = static_cast<std::size_t>(end - first);
+    m_faces = Ranked_bits(num_between, [&](std::size_t i) { return is_face(first[static_cast<std::ptrdiff_t>(i)]); });
     if (m_num_borders != 0)
-      m_borders = Ranked_bits(kinds.size(), [&](std::size_t t) { return is_border(kinds[t]); });
+      m_borders =
+        Ranked_bits(num_between, [&](std::size_t i) { return is_border(first[static_cast<std::ptrdiff_t>(i)]); });
   }
 
   std::size_t num_faces() const { return m_num_sides / 3; }
@@ -72,37 +78,41 @@ public:
 
   // The halfedge that starts at corner c.
   template <class Table>
-  Index halfedge(const Table&, Index c) const { return c < m_first ? c : halfedge_behind(c); }
+  BOOST_FORCEINLINE Index halfedge(const Table&, Index c) const
+  {
+    return c < m_first ? c : c >= m_end ? static_cast<Index>(c - m_shift) : halfedge_between(c);
+  }
   // The corner where halfedge h starts.
   template <class Table>
-  Index corner(const Table&, Index h) const { return h < m_first ? h : corner_behind(h); }
+  BOOST_FORCEINLINE Index corner(const Table&, Index h) const
+  {
+    return h < m_first ? h : is_border(h) || h + m_shift < m_end ? corner_between(h) : static_cast<Index>(h + m_shift);
+  }
 
   std::size_t bytes() const { return m_faces.bytes() + m_borders.bytes(); }
 
 private:
-  Index halfedge_behind(Index c) const
+  BOOST_NOINLINE Index halfedge_between(Index c) const
   {
-    const Index t = c / 3;
-    if (m_faces.empty()) {
-      const Index i = t - m_first / 3;
-      return i < m_num_borders ? m_num_sides + i : c - 3 * m_num_borders;
-    }
-    return m_faces[t] ? static_cast<Index>(3 * m_faces.rank(t) + c % 3)
-                      : static_cast<Index>(m_num_sides + m_borders.rank(t));
+    const Index i = (c - m_first) / 3;
+    if (!m_faces.empty() && m_faces[i])
+      return static_cast<Index>(m_first + 3 * m_faces.rank(i) + c % 3);
+    return static_cast<Index>(m_num_sides + (m_faces.empty() ? i : m_borders.rank(i)));
   }
 
-  Index corner_behind(Index h) const
+  BOOST_NOINLINE Index corner_between(Index h) const
   {
-    if (m_faces.empty())
-      return is_border(h) ? m_first + 3 * (h - m_num_sides) : h + 3 * m_num_borders;
-    return is_border(h) ? static_cast<Index>(3 * m_borders.select(h - m_num_sides))
-                        : static_cast<Index>(3 * m_faces.select(h / 3) + h % 3);
+    if (!is_border(h))
+      return static_cast<Index>(m_first + 3 * m_faces.select((h - m_first) / 3) + h % 3);
+    const Index i = h - m_num_sides;
+    return static_cast<Index>(m_first + 3 * (m_faces.empty() ? i : m_borders.select(i)));
   }
 
-  Emptied_on_move<Index> m_num_sides;   // halfedges of faces
-  Emptied_on_move<Index> m_num_borders; // border halfedges
-  Emptied_on_move<Index> m_first;       // the first corner of a triangle that is no face
-  Ranked_bits m_faces, m_borders;       // empty where borders are in one piece
+  Emptied_on_move<Index> m_num_sides;     // halfedges of faces
+  Emptied_on_move<Index> m_num_borders;   // border halfedges
+  Emptied_on_move<Index> m_first, m_end;  // corners: of the first triangle that is no face, and behind the last one
+  Emptied_on_move<Index> m_shift;         // the number of corners of such triangles
+  Ranked_bits m_faces, m_borders;         // from the first one to the last one; empty if all of these are borders
 };
 
 } // namespace internal
