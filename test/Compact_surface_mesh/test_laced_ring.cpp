@@ -12,6 +12,8 @@
 #include "generated_surfaces.h"
 #include "generated_triangulations.h"
 #include "layout_of_soup.h"
+#include "layout_oracle.h"
+#include "refusals.h"
 #include "test_scale.h"
 
 #include <CGAL/Compact_surface_mesh/layouts/Laced_ring_layout.h>
@@ -166,6 +168,34 @@ TEST(Laced_ring, of_offsets_refers_to_what_is_far_away_by_long_references)
   EXPECT_GT(layout.counts().num_long, 10000u);
 }
 
+// Up to their bound any sphere, behind it one whose ring is good enough, or none.
+template <class Layout>
+void check_bound(std::uint32_t largest)
+{
+  const std::uint32_t most = static_cast<std::uint32_t>(Layout::max_vertices());
+  std::size_t num_refused = 0;
+  for (std::uint32_t n = most; n <= largest; n += 1 + n / 20)
+    for (const test::Soup& soup : { test::random_triangulation(n, 4), test::double_wheel(n), test::stacked_at_hub(n) }) {
+      std::string difference;
+      const auto thrown =
+          test::thrown_by([&] { difference = test::difference_from_table<Layout>(n, soup.triangles); });
+      EXPECT_EQ(difference, "") << n;
+      if (thrown.empty())
+        continue;
+      ++num_refused;
+      EXPECT_EQ(thrown[0].first, CGAL::Mesh_defect::too_many_elements) << n;
+      EXPECT_GT(n, most);
+    }
+  EXPECT_GT(num_refused, 0u);
+}
+
+TEST(Laced_ring, of_few_bits_holds_as_many_vertices_as_it_says)
+{
+  check_bound<CGAL::Laced_ring_layout<std::uint8_t>>(60);
+  check_bound<CGAL::Laced_ring_layout<std::uint16_t>>(12000);
+  check_bound<CGAL::Laced_ring_layout<std::uint16_t, std::uint8_t>>(4000);
+}
+
 TEST(Filled_slots, have_numbers_without_holes)
 {
   typedef CGAL::internal::Filled_slots<std::uint32_t> Filled_slots;
@@ -179,6 +209,8 @@ TEST(Filled_slots, have_numbers_without_holes)
       const Filled_slots slots(num_slots, std::move(dead));
       ASSERT_EQ(slots.count(), live.size());
       EXPECT_LE(slots.bytes(), 2 * num_dead * sizeof(std::uint32_t));
+      for (std::uint32_t slot = 0; slot < num_slots; ++slot)
+        EXPECT_EQ(slots.is_live(slot), std::binary_search(live.begin(), live.end(), slot));
       std::vector<bool> is_used(live.size(), false);
       for (const std::uint32_t slot : live) {
         const std::uint32_t number = slots.number(slot);

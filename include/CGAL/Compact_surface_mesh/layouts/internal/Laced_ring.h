@@ -18,6 +18,8 @@
 #include <CGAL/Compact_surface_mesh/layouts/internal/Ring_triangles.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Rings.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <memory>
@@ -109,7 +111,7 @@ public:
   Index source(Index c) const { return m_vertices.vertex(corner_vertex(c)); }
   Index target(Index c) const { return source(Corner_table<Index>::next(c)); }
 
-  Index opposite(Index c) const
+  BOOST_FORCEINLINE Index opposite(Index c) const
   {
     const std::size_t slot = c / 3;
     const unsigned k = c % 3;
@@ -152,12 +154,12 @@ public:
   }
 
   // Whether triangle t is a face: no redundant slot, and not at an apex.
-  bool is_face(Index t) const
+  BOOST_FORCEINLINE bool is_face(Index t) const
   {
     if (t >= num_ring_slots())
       return t0(t)[2] < m_first_apex;
     const Index tip = m_entries.tip(t);
-    return tip < m_first_apex && tip != next(next(static_cast<Index>(t / 2)));
+    return tip < m_first_apex && tip != m_rings.second_next(static_cast<Index>(t / 2));
   }
 
   std::size_t num_ring_edges() const { return m_rings.size(); }
@@ -174,8 +176,8 @@ public:
   // The halfedge of ring edge e that has its triangle on that side; the second slot of a T2 tells both of its edges.
   Index ring_halfedge(Index e, unsigned side) const
   {
-    const Index f = next(e);
-    return skips_wart(e, side) || tip(e, side) == next(f) ? corner(f, side, 2 - side) : corner(e, side, 0);
+    return skips_wart(e, side) || tip(e, side) == m_rings.second_next(e) ? corner(next(e), side, 2 - side)
+                                                                         : corner(e, side, 0);
   }
 
   // Which one of the three halfedges from corner c on joins the least and the greatest vertex of a triangle, of which
@@ -263,7 +265,7 @@ private:
   bool skips_wart(Index e, unsigned side) const { return m_entries.is_wart_skipped(slot_of(e, side)); }
 
   // The vertex behind ring edge e, wart skipped if the slot says so.
-  Index end(Index e, unsigned side) const { return skips_wart(e, side) ? next(next(e)) : next(e); }
+  Index end(Index e, unsigned side) const { return skips_wart(e, side) ? m_rings.second_next(e) : next(e); }
   Index from(Index e, unsigned side) const { return side == 0 ? e : end(e, side); }
   Index to(Index e, unsigned side) const { return side == 0 ? end(e, side) : e; }
 
@@ -277,9 +279,9 @@ private:
   Index arriving(Index v, unsigned side) const { return side == 0 ? before(v, side) : v; }
 
   // In a redundant slot, the corners of the T2 in order are those of its other slot, turned.
-  Index canonical(Index e, unsigned side, unsigned k) const
+  Index canonical(Index e, unsigned side, unsigned k, Index tip) const
   {
-    return tip(e, side) == next(next(e)) ? corner(next(e), side, side == 0 ? (k + 2) % 3 : (k + 1) % 3)
+    return tip == m_rings.second_next(e) ? corner(next(e), side, side == 0 ? (k + 2) % 3 : (k + 1) % 3)
                                          : corner(e, side, k);
   }
 
@@ -290,12 +292,12 @@ private:
     // the ring edge is at v, and the triangle has the same tip ...
     const Index at_v = k == 1 ? leaving(v, side) : arriving(v, side);
     if (this->tip(at_v, side) == tip)
-      return canonical(at_v, side, 3 - k);
+      return canonical(at_v, side, 3 - k, tip);
     // ... or it is at the tip, and v is the other tip
-    return canonical(k == 1 ? arriving(tip, side) : leaving(tip, side), side, k);
+    return canonical(k == 1 ? arriving(tip, side) : leaving(tip, side), side, k, v);
   }
 
-  Index corner_vertex(Index c) const
+  BOOST_FORCEINLINE Index corner_vertex(Index c) const
   {
     const std::size_t slot = c / 3;
     const unsigned k = c % 3;

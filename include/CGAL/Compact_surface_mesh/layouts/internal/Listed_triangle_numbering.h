@@ -14,6 +14,8 @@
 #include <CGAL/Compact_surface_mesh/layouts/internal/Filled_slots.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Triangle_numbering.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -66,27 +68,20 @@ public:
 
   // The halfedge that starts at corner c.
   template <class Table>
-  Index halfedge(const Table& table, Index c) const
+  BOOST_FORCEINLINE Index halfedge(const Table& table, Index c) const
   {
-    if (!m_is_listed)
-      return m_ranked.halfedge(table, c);
-    const Index t = c / 3;
-    if (m_borders.empty() || table.is_face(t))
-      return c < m_num_sides ? c : static_cast<Index>(3 * m_faces.number(t) + c % 3);
-    const auto it = std::lower_bound(m_borders.begin(), m_borders.end(), t);
-    return m_num_sides + static_cast<Index>(it - m_borders.begin());
+    if (BOOST_LIKELY(m_is_listed && c < m_num_sides && (m_borders.empty() || table.is_face(c / 3))))
+      return c;
+    return m_is_listed ? halfedge_elsewhere(table, c) : m_ranked.halfedge(table, c);
   }
 
   // The corner where halfedge h starts.
   template <class Table>
-  Index corner(const Table& table, Index h) const
+  BOOST_FORCEINLINE Index corner(const Table& table, Index h) const
   {
-    if (!m_is_listed)
-      return m_ranked.corner(table, h);
-    if (is_border(h))
-      return 3 * m_borders[h - m_num_sides];
-    const Index f = h / 3;
-    return table.is_face(f) ? h : static_cast<Index>(3 * m_faces.slot(f) + h % 3);
+    if (BOOST_LIKELY(m_is_listed && h < m_num_sides && table.is_face(h / 3)))
+      return h;
+    return m_is_listed ? corner_elsewhere(h) : m_ranked.corner(table, h);
   }
 
   std::size_t bytes() const
@@ -95,6 +90,21 @@ public:
   }
 
 private:
+  template <class Table>
+  BOOST_NOINLINE Index halfedge_elsewhere(const Table& table, Index c) const
+  {
+    const Index t = c / 3;
+    if (m_borders.empty() || table.is_face(t))
+      return static_cast<Index>(3 * m_faces.number(t) + c % 3);
+    const auto it = std::lower_bound(m_borders.begin(), m_borders.end(), t);
+    return m_num_sides + static_cast<Index>(it - m_borders.begin());
+  }
+
+  BOOST_NOINLINE Index corner_elsewhere(Index h) const
+  {
+    return is_border(h) ? 3 * m_borders[h - m_num_sides] : static_cast<Index>(3 * m_faces.slot(h / 3) + h % 3);
+  }
+
   Triangle_numbering<Index> m_ranked;
   Emptied_on_move<unsigned char> m_is_listed;
   Emptied_on_move<Index> m_num_sides; // halfedges of faces

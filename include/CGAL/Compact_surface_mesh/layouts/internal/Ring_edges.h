@@ -62,12 +62,9 @@ public:
       return m_ranked.halfedge(corners, e);
     if (e < m_num_ring_edges)
       return corners.halfedge_at(corners.table().ring_halfedge(e, 0));
-    Index f = e - m_num_ring_edges;
-    if (f >= corners.num_faces() || !has_edge(corners, f)) {
-      f = m_slots.slot(e) - m_num_ring_edges;
-      if (f >= corners.num_faces())
-        return m_of_no_triangle[f - corners.num_faces()];
-    }
+    const Index f = m_slots.slot(e) - m_num_ring_edges;
+    if (f >= corners.num_faces())
+      return m_of_no_triangle[f - corners.num_faces()];
     return longest_side(corners, f);
   }
 
@@ -134,20 +131,27 @@ private:
     return !is_longest_side(corners, g) || f < corners.face(g);
   }
 
+  // Whether face f has the edge of h, which is off the ring, and not because another one has it.
+  template <class Corners>
+  bool is_edge_of(const Corners& corners, Index f, Index h) const
+  {
+    return f != null() && longest_side(corners, f) == h && m_slots.is_live(m_num_ring_edges + f);
+  }
+
   // Of an edge that is off the ring.
   template <class Corners>
   Index slot(const Corners& corners, Index h) const
   {
+    Index f = corners.face(h);
+    if (is_edge_of(corners, f, h))
+      return m_num_ring_edges + f;
     const Index g = corners.opposite(h);
-    Index f = null();
-    for (const Index side : { h, g })
-      if (is_longest_side(corners, side))
-        f = (std::min)(f, corners.face(side));
-    if (f == null()) {
-      const auto it = std::lower_bound(m_of_no_triangle.begin(), m_of_no_triangle.end(), (std::min)(g, h));
-      f = static_cast<Index>(corners.num_faces() + static_cast<std::size_t>(it - m_of_no_triangle.begin()));
-    }
-    return m_num_ring_edges + f;
+    f = corners.face(g);
+    if (is_edge_of(corners, f, g))
+      return m_num_ring_edges + f;
+    const auto it = std::lower_bound(m_of_no_triangle.begin(), m_of_no_triangle.end(), (std::min)(g, h));
+    return static_cast<Index>(m_num_ring_edges + corners.num_faces()
+                              + static_cast<std::size_t>(it - m_of_no_triangle.begin()));
   }
 
   Emptied_on_move<Index> m_num_ring_edges; // 0 if bits are ranked

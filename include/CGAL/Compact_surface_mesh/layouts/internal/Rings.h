@@ -12,6 +12,8 @@
 
 #include <CGAL/Compact_surface_mesh/internal/Emptied_on_move.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -43,19 +45,18 @@ public:
 
   Index size() const { return m_size; }
 
-  Index next(Index v) const
+  BOOST_FORCEINLINE Index next(Index v) const
   {
     const Index w = v + 1;
-    if (m_starts.empty())
-      return w == m_size ? 0 : w;
-    return is_start(w) ? *(std::upper_bound(m_starts.begin(), m_starts.end(), v) - 1) : w;
+    return BOOST_LIKELY(!is_start(w)) ? w : first_of(v);
   }
 
-  Index prev(Index v) const
+  BOOST_FORCEINLINE Index prev(Index v) const { return BOOST_LIKELY(v != 0 && !is_start(v)) ? v - 1 : last_of(v); }
+
+  // next(next(v))
+  BOOST_FORCEINLINE Index second_next(Index v) const
   {
-    if (m_starts.empty())
-      return (v == 0 ? static_cast<Index>(m_size) : v) - 1;
-    return (is_start(v) ? *std::upper_bound(m_starts.begin(), m_starts.end(), v) : v) - 1;
+    return BOOST_LIKELY(m_starts.empty() && v + 2 < m_size) ? v + 2 : next(next(v));
   }
 
   std::size_t bytes() const
@@ -64,7 +65,18 @@ public:
   }
 
 private:
-  bool is_start(Index v) const { return (m_is_start[v / 64] >> (v % 64)) & 1; }
+  // whether a cycle starts at v, which is not 0, or the last one ends before it
+  bool is_start(Index v) const { return m_starts.empty() ? v == m_size : (m_is_start[v / 64] >> (v % 64)) & 1; }
+
+  BOOST_NOINLINE Index first_of(Index v) const
+  {
+    return m_starts.empty() ? 0 : *(std::upper_bound(m_starts.begin(), m_starts.end(), v) - 1);
+  }
+
+  BOOST_NOINLINE Index last_of(Index v) const
+  {
+    return (m_starts.empty() ? Index(m_size) : *std::upper_bound(m_starts.begin(), m_starts.end(), v)) - 1;
+  }
 
   Emptied_on_move<Index> m_size;
   std::vector<Index> m_starts; // and at last m_size; empty if there is one cycle only
