@@ -13,6 +13,7 @@
 
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
 
+#include <CGAL/Convex_hull_traits_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -129,7 +130,7 @@ void check_hull(const Points& points)
   EXPECT_EQ(test::difference(expected, mesh), "");
 
   // what was there before is lost
-  CGAL::convex_hull_3(points.begin(), points.end(), mesh, Kernel());
+  CGAL::convex_hull_3(points.begin(), points.end(), mesh, CGAL::Convex_hull_traits_3<Kernel, Mesh>());
   EXPECT_EQ(test::difference(expected, mesh), "");
 
   Mesh other;

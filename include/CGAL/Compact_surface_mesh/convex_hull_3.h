@@ -16,7 +16,9 @@
 #include <CGAL/Compact_surface_mesh/Compact_surface_mesh.h>
 #include <CGAL/Compact_surface_mesh/internal/Input_report.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/use.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -70,15 +72,14 @@ Hull_point_map<Mesh> get(vertex_point_t, Hull_soup<Mesh>& soup) { return { &soup
 template <class Mesh, class Point>
 void put(const Hull_point_map<Mesh>& map, std::size_t v, const Point& p)
 {
-  (*map.points)[v] = converted_point<typename Mesh::Point>(p);
+  CGAL_assertion(v == map.points->size());
+  CGAL_USE(v);
+  map.points->push_back(converted_point<typename Mesh::Point>(p));
 }
 
+// Its point is put next.
 template <class Mesh>
-std::size_t add_vertex(Hull_soup<Mesh>& soup)
-{
-  soup.points.emplace_back();
-  return soup.points.size() - 1;
-}
+std::size_t add_vertex(Hull_soup<Mesh>& soup) { return soup.points.size(); }
 
 template <class Mesh>
 void clear(Hull_soup<Mesh>& soup) { soup = Hull_soup<Mesh>(); }

@@ -17,6 +17,7 @@
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/Origin.h>
 #include <CGAL/Surface_mesh/Surface_mesh_fwd.h>
 
 #include <optional>
@@ -119,6 +120,18 @@ bool maps_need_halfedges(const Graph& g)
     return false;
 }
 
+// What elements get that have no image: CGAL's points and vectors are not initialized by default.
+template <class T>
+T simple_default()
+{
+  if constexpr (std::is_convertible<Origin, T>::value)
+    return ORIGIN;
+  else if constexpr (std::is_convertible<Null_vector, T>::value)
+    return NULL_VECTOR;
+  else
+    return T();
+}
+
 // Copies the simple property maps of a kind of elements to `target`, where for_each_pair(visit) calls
 // visit(element of the source, element of the target).
 template <class Element, class Image, class Source, class Target, class ForEachPair>
@@ -126,7 +139,7 @@ void copy_simple_maps(const Source& source, Target& target, const ForEachPair& f
 {
   for_each_simple_map<Element>(source, [&](const std::string& name, const auto& map) {
     using T = typename std::decay_t<decltype(map)>::value_type;
-    auto image_map = target.template add_property_map<Image, T>(name).first;
+    auto image_map = target.template add_property_map<Image, T>(name, simple_default<T>()).first;
     for_each_pair([&](const Element& element, const Image& image) { image_map[image] = map[element]; });
   });
 }
