@@ -450,6 +450,52 @@ TEST(Property_maps, of_bits_texts_and_patches_follow)
   EXPECT_EQ(mesh.properties<Mesh::Vertex_index>().size(), 1u); // "v:point"
 }
 
+template <class Tag, class Range>
+void check_dynamic_map(Mesh& mesh, const Range& elements)
+{
+  auto map = get(Tag(), mesh);
+  auto copy = map, other = get(Tag(), mesh);
+  for (const auto element : elements) {
+    put(map, element, 1);
+    put(other, element, 0);
+  }
+  for (const auto element : elements)
+    ASSERT_TRUE(get(copy, element) == 1 && get(other, element) == 0);
+}
+
+TEST(Property_maps, that_are_dynamic_leave_the_mesh_alone)
+{
+  Mesh mesh(sheet(3, 3));
+  check_dynamic_map<CGAL::dynamic_vertex_property_t<bool> >(mesh, mesh.vertices());
+  check_dynamic_map<CGAL::dynamic_halfedge_property_t<int> >(mesh, mesh.halfedges());
+  check_dynamic_map<CGAL::dynamic_edge_property_t<double> >(mesh, mesh.edges());
+  check_dynamic_map<CGAL::dynamic_face_property_t<bool> >(mesh, mesh.faces());
+  EXPECT_EQ(mesh.properties<Mesh::Vertex_index>().size(), 1u); // "v:point"
+  EXPECT_EQ(mesh.properties<Mesh::Halfedge_index>().size() + mesh.properties<Mesh::Edge_index>().size()
+              + mesh.properties<Mesh::Face_index>().size(), 0u);
+}
+
+// Whether there are the functions of MutableHalfedgeGraph and MutableFaceGraph.
+template <class M, class = void>
+struct Is_mutable : std::false_type {};
+
+template <class M>
+struct Is_mutable<M, std::void_t<decltype(add_vertex(std::declval<M&>())), decltype(add_edge(std::declval<M&>())),
+                                 decltype(add_face(std::declval<M&>()))> > : std::true_type {};
+
+template <class M, class = void>
+struct Can_remove : std::false_type {};
+
+template <class M>
+struct Can_remove<M, std::void_t<decltype(remove_vertex(typename M::Vertex_index(), std::declval<M&>()))> >
+  : std::true_type {};
+
+TEST(Interface, has_no_function_that_a_mutable_graph_must_have)
+{
+  static_assert(Is_mutable<Surface_mesh>::value && !Is_mutable<Mesh>::value, "");
+  static_assert(Can_remove<Surface_mesh>::value && !Can_remove<Mesh>::value, "");
+}
+
 // A point without a kernel.
 struct Plain
 {

@@ -16,6 +16,7 @@
 #include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/Simple_triangulation.h>
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/Input_order_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/Laced_ring_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
@@ -321,6 +322,18 @@ TEST(Isolated_vertices, cost_a_record_each)
   surface.soup.num_vertices += count;
   surface.num_isolated = count;
   EXPECT_EQ(words, further_words(surface));
+}
+
+TEST(Order_of_the_input, costs_8_bytes_a_vertex_and_8_a_face)
+{
+  using Base = Parents_layout<4>;
+  const Surface surface = surface_of_kind("borders_1000", million() / 4);
+  const std::ptrdiff_t chi = surface.euler_characteristic();
+  const double n = surface.soup.num_vertices, f = static_cast<double>(surface.soup.triangles.size());
+  const double base = bytes_of<Base>(surface.soup, chi);
+  EXPECT_EQ(bytes_of<CGAL::Input_order_layout<Base>>(surface.soup, chi), base + 8 * n);
+  using With_faces = CGAL::Input_order_layout<Base, CGAL::Input_order::VERTICES_AND_FACES>;
+  EXPECT_EQ(bytes_of<With_faces>(surface.soup, chi), base + 8 * n + 8 * f);
 }
 
 // A layout of polygons has a record for each vertex, hidden ones included; a bit for each vertex, edge and face
