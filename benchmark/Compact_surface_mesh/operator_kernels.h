@@ -70,14 +70,24 @@ void call_dependently(const Arguments& arguments, const Operator& f)
   computed = sum;
 }
 
-/// adds the kernels that call `f` for all `arguments()`. Their result is the sum of `check(f(a))`,
-/// which is not timed.
-template <class Arguments, class Operator, class Check>
-void add_operator(std::vector<Timed_kernel>& kernels, const std::string& name, const Arguments& arguments,
-                  const Operator& f, const Check& check)
+/// Adds a kernel that calls `f` for all `arguments()`, each call waiting for the result of the one before. Its result
+/// is the sum of `check(f(a))`, which is not timed.
+struct Dependent_calls
 {
-  const auto add = [&](const std::string& kind, const auto& call) {
-    kernels.push_back({ name + ", " + kind, "operators", false, [=]() -> Timed_function {
+  template <class Arguments, class Operator, class Check>
+  static void add(std::vector<Timed_kernel>& kernels, const std::string& name, const Arguments& arguments,
+                  const Operator& f, const Check& check)
+  {
+    add_calls(kernels, name + ", dependent", arguments, f, check,
+              [](const auto& all, const auto& g) { call_dependently(all, g); });
+  }
+
+protected:
+  template <class Arguments, class Operator, class Check, class Call>
+  static void add_calls(std::vector<Timed_kernel>& kernels, const std::string& name, const Arguments& arguments,
+                        const Operator& f, const Check& check, const Call& call)
+  {
+    kernels.push_back({ name, "operators", false, [=]() -> Timed_function {
                          const auto all = std::make_shared<decltype(arguments())>(arguments());
                          std::uint64_t sum = 0;
                          for (const auto& a : *all)
@@ -87,10 +97,21 @@ void add_operator(std::vector<Timed_kernel>& kernels, const std::string& name, c
                            return static_cast<double>(sum);
                          };
                        } });
-  };
-  add("independent", [](const auto& all, const auto& g) { call_independently(all, g); });
-  add("dependent", [](const auto& all, const auto& g) { call_dependently(all, g); });
-}
+  }
+};
+
+/// Adds independent calls as well.
+struct All_calls : Dependent_calls
+{
+  template <class Arguments, class Operator, class Check>
+  static void add(std::vector<Timed_kernel>& kernels, const std::string& name, const Arguments& arguments,
+                  const Operator& f, const Check& check)
+  {
+    add_calls(kernels, name + ", independent", arguments, f, check,
+              [](const auto& all, const auto& g) { call_independently(all, g); });
+    Dependent_calls::add(kernels, name, arguments, f, check);
+  }
+};
 
 /// Chain: walks `steps` triangles far, straight on for sixteen of them, then to a random side:
 /// returns the sum of the vertices that are met.
@@ -121,46 +142,38 @@ auto first_halfedge(const Labeled& labeled)
   return *std::min_element(range.begin(), range.end(), [&](auto a, auto b) { return label(a) < label(b); });
 }
 
-/// lists the operators of a `Labeled_mesh`.
+/// returns all halfedges of a `Labeled_mesh`.
 template <class Labeled>
-std::vector<Timed_kernel> operator_kernels(const std::shared_ptr<const Labeled>& labeled)
+auto all_halfedges(const std::shared_ptr<const Labeled>& labeled)
+{
+  const auto range = halfedges(labeled->mesh);
+  using Mesh = std::remove_const_t<decltype(labeled->mesh)>;
+  return std::vector<typename boost::graph_traits<Mesh>::halfedge_descriptor>(range.begin(), range.end());
+}
+
+/// lists the operators that CD18 counts, of a `Labeled_mesh`: next, previous and opposite halfedge, source, target and
+/// adjacency, each with the `Calls` that these add.
+template <class Calls, class Labeled>
+std::vector<Timed_kernel> navigation_kernels(const std::shared_ptr<const Labeled>& labeled)
 {
   using Mesh = std::remove_const_t<decltype(labeled->mesh)>;
-  using Graph = boost::graph_traits<Mesh>;
-  using Vertex = typename Graph::vertex_descriptor;
-  using Halfedge = typename Graph::halfedge_descriptor;
-  using Face = typename Graph::face_descriptor;
+  using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
+  using Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor;
   const Mesh& mesh = labeled->mesh; // which the lists of arguments keep
-  const Vertex_numbers<Mesh> number(mesh);
-  const auto label = [labeled, number](Vertex v) { return labeled->label[number(v)]; };
-
-  const auto all_vertices = [labeled] {
-    const auto range = vertices(labeled->mesh);
-    return std::vector<Vertex>(range.begin(), range.end());
-  };
-  const auto all_halfedges = [labeled] {
-    const auto range = halfedges(labeled->mesh);
-    return std::vector<Halfedge>(range.begin(), range.end());
-  };
-  const auto number_of_halfedge = [index = get(boost::halfedge_index, mesh)](Halfedge h) {
+  const auto arguments = [labeled] { return all_halfedges(labeled); };
+  const auto number = [index = get(boost::halfedge_index, mesh)](Halfedge h) {
     return static_cast<std::uint64_t>(get(index, h));
   };
-  const auto number_of_face = [index = get(boost::face_index, mesh)](Face f) {
-    return f == Graph::null_face() ? 0 : static_cast<std::uint64_t>(get(index, f));
+  const auto label = [labeled, number_of = Vertex_numbers<Mesh>(mesh)](Vertex v) {
+    return labeled->label[number_of(v)];
   };
 
   std::vector<Timed_kernel> kernels;
-  const auto add = [&](const std::string& name, const auto& f, const auto& check) {
-    add_operator(kernels, name, all_halfedges, f, check);
-  };
-  add("next", [&mesh](Halfedge h) { return next(h, mesh); }, number_of_halfedge);
-  add("prev", [&mesh](Halfedge h) { return prev(h, mesh); }, number_of_halfedge);
-  add("opposite", [&mesh](Halfedge h) { return opposite(h, mesh); }, number_of_halfedge);
-  add("source", [&mesh](Halfedge h) { return source(h, mesh); }, label);
-  add("target", [&mesh](Halfedge h) { return target(h, mesh); }, label);
-  add("face", [&mesh](Halfedge h) { return face(h, mesh); }, number_of_face);
-  add_operator(kernels, "halfedge of vertex", all_vertices, [&mesh](Vertex v) { return halfedge(v, mesh); },
-               [&mesh, label](Halfedge h) { return label(target(h, mesh)); });
+  Calls::add(kernels, "next", arguments, [&mesh](Halfedge h) { return next(h, mesh); }, number);
+  Calls::add(kernels, "prev", arguments, [&mesh](Halfedge h) { return prev(h, mesh); }, number);
+  Calls::add(kernels, "opposite", arguments, [&mesh](Halfedge h) { return opposite(h, mesh); }, number);
+  Calls::add(kernels, "source", arguments, [&mesh](Halfedge h) { return source(h, mesh); }, label);
+  Calls::add(kernels, "target", arguments, [&mesh](Halfedge h) { return target(h, mesh); }, label);
 
   // of every two pairs, one is an edge
   const auto pairs = [labeled] {
@@ -174,12 +187,39 @@ std::vector<Timed_kernel> operator_kernels(const std::shared_ptr<const Labeled>&
     }
     return result;
   };
-  add_operator(kernels, "adjacency", pairs,
-               [&mesh](const std::pair<Vertex, Vertex>& p) {
-                 return halfedge(p.first, p.second, mesh).second;
-               },
-               [](bool b) { return b ? 1 : 0; });
+  Calls::add(kernels, "adjacency", pairs,
+             [&mesh](const std::pair<Vertex, Vertex>& p) {
+               return halfedge(p.first, p.second, mesh).second;
+             },
+             [](bool b) { return b ? 1 : 0; });
+  return kernels;
+}
 
+/// lists all operators of a `Labeled_mesh`, and the chain of them.
+template <class Labeled>
+std::vector<Timed_kernel> operator_kernels(const std::shared_ptr<const Labeled>& labeled)
+{
+  using Mesh = std::remove_const_t<decltype(labeled->mesh)>;
+  using Graph = boost::graph_traits<Mesh>;
+  using Vertex = typename Graph::vertex_descriptor;
+  using Halfedge = typename Graph::halfedge_descriptor;
+  using Face = typename Graph::face_descriptor;
+  const Mesh& mesh = labeled->mesh; // which the lists of arguments keep
+  const Vertex_numbers<Mesh> number(mesh);
+
+  std::vector<Timed_kernel> kernels = navigation_kernels<All_calls>(labeled);
+  All_calls::add(kernels, "face", [labeled] { return all_halfedges(labeled); },
+                 [&mesh](Halfedge h) { return face(h, mesh); },
+                 [index = get(boost::face_index, mesh)](Face f) {
+                   return f == Graph::null_face() ? 0 : static_cast<std::uint64_t>(get(index, f));
+                 });
+  All_calls::add(kernels, "halfedge of vertex",
+                 [labeled] {
+                   const auto range = vertices(labeled->mesh);
+                   return std::vector<Vertex>(range.begin(), range.end());
+                 },
+                 [&mesh](Vertex v) { return halfedge(v, mesh); },
+                 [labeled, number](Halfedge h) { return labeled->label[number(target(h, labeled->mesh))]; });
   kernels.push_back({ "chain next, opposite, target", "operators", true, [=]() -> Timed_function {
                        const Halfedge start = first_halfedge(*labeled);
                        return [=] { return walk(labeled->mesh, start, num_vertices(labeled->mesh), number); };

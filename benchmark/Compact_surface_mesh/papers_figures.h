@@ -26,7 +26,7 @@ struct Stated_costs
 {
   const char* structure; ///< our name of it
   const char* source;
-  const char* references;
+  const char* references; ///< or bits per vertex, of `laced-ring-offsets`
   const char* navigation;
   const char* vertex_access;
   const char* adjacency;
@@ -39,7 +39,7 @@ inline constexpr std::array<Stated_costs, 11> stated_costs{ {
     { "sot", "CD18 table 1", "6n", "O(1)", "O(d)", "O(d)" },
     { "squad", "CD18 4.4", "4.05n to 4.3n", "", "", "" },
     { "laced-ring", "CD18 4.4, LR abstract", "2.04n to 3.16n", "O(1)", "O(1)", "" },
-    { "laced-ring-offsets", "CD18 1.2, LR abstract", "37 to 90 bits", "O(1)", "O(1)", "" },
+    { "laced-ring-offsets", "CD18 1.2, LR abstract", "37 to 90", "O(1)", "O(1)", "" },
     { "schnyder-fronts-6n", "CD18 theorem 2", "6n", "O(1)", "O(d)", "O(d)" },
     { "schnyder-fronts-5n", "CD18 theorem 4", "5n", "O(1)", "O(d)", "O(d)" },
     { "schnyder-fronts-4n", "CD18 theorem 5", "4n", "O(1)", "O(d)", "O(d)" },
