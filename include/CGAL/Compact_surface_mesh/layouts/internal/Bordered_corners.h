@@ -126,7 +126,7 @@ public:
 private:
   bool is_border(Index h) const { return m_numbering.is_border(h); }
   Numbering numbering(std::size_t num_triangles, std::size_t num_faces,
-                                      const std::vector<Index>& corners) const
+                      const std::vector<Index>& corners) const
   {
     if (corners.empty())
       return Numbering(num_triangles, num_faces);
