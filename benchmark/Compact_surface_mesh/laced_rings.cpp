@@ -68,9 +68,9 @@ int main(int argc, char* argv[])
   if (argc < 2) {
     std::cerr << "laced_rings MESH...\n"
                  "  MESH  sphere:N, random:N[:SEED] or a file\n"
-                 "Prints of each: triangles, % of vertices with six of them; and for references and for offsets of 16 "
-                 "bits:\nvertices off the ring, % of triangles that are T0, T0w, Ti, Tl, references and bits a triangle, "
-                 "and bits in all\n";
+                 "Prints of each: triangles, % of vertices with six of them; and for references and for offsets\n"
+                 "of 16 bits: vertices off the ring, % of triangles that are T0, T0w, Ti, Tl, references and\n"
+                 "bits a triangle, and bits in all\n";
     return 2;
   }
   for (int i = 1; i < argc; ++i)

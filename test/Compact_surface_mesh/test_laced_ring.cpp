@@ -62,7 +62,8 @@ public:
         continue;
       }
       counts.num_skipped_warts += m_skips_wart[f] ? 1 : 0;
-      counts.num_irregular += is_t0(neighbor(3 * f)) || is_t0(neighbor(3 * f + 1)) || is_t0(neighbor(3 * f + 2)) ? 1 : 0;
+      const std::uint32_t h = 3 * f;
+      counts.num_irregular += is_t0(neighbor(h)) || is_t0(neighbor(h + 1)) || is_t0(neighbor(h + 2)) ? 1 : 0;
     }
     return counts;
   }
@@ -175,7 +176,8 @@ void check_bound(std::uint32_t largest)
   const std::uint32_t most = static_cast<std::uint32_t>(Layout::max_vertices());
   std::size_t num_refused = 0;
   for (std::uint32_t n = most; n <= largest; n += 1 + n / 20)
-    for (const test::Soup& soup : { test::random_triangulation(n, 4), test::double_wheel(n), test::stacked_at_hub(n) }) {
+    for (const test::Soup& soup :
+         { test::random_triangulation(n, 4), test::double_wheel(n), test::stacked_at_hub(n) }) {
       std::string difference;
       const auto thrown =
           test::thrown_by([&] { difference = test::difference_from_table<Layout>(n, soup.triangles); });

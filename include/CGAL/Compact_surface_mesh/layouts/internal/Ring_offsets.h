@@ -52,7 +52,7 @@ public:
   }
 
   // of the expander, one for each ring that is tried
-  static constexpr std::array<std::size_t, 5> periods() { return { { 0, 256, 128, 64, 32 } }; }
+  static constexpr std::array<std::size_t, 6> periods() { return { { 0, 1024, 512, 256, 128, 64 } }; }
 
   // How many bits these tables take.
   static std::size_t num_bits(const Triangles& triangles)
@@ -118,14 +118,15 @@ private:
   static std::uint64_t offset(const Triangles& triangles, std::size_t slot)
   {
     const std::uint64_t lowest = std::uint64_t(1) << (Limits::digits - 2);
-    const Index tip = triangles.tip(slot);
-    return tip == triangles.main_apex() ? lowest : static_cast<std::uint64_t>(difference(triangles, slot)) % (2 * lowest);
+    if (triangles.tip(slot) == triangles.main_apex())
+      return lowest;
+    return static_cast<std::uint64_t>(difference(triangles, slot)) % (2 * lowest);
   }
 
   static std::int64_t difference(const Triangles& triangles, std::size_t slot)
   {
-    const std::int64_t size = triangles.rings().size();
-    const std::int64_t difference = static_cast<std::int64_t>(triangles.tip(slot)) - static_cast<std::int64_t>(slot / 2);
+    const std::int64_t size = triangles.rings().size(), tip = triangles.tip(slot);
+    const std::int64_t difference = tip - static_cast<std::int64_t>(slot / 2);
     return 2 * difference > size ? difference - size : -2 * difference > size ? difference + size : difference;
   }
 
