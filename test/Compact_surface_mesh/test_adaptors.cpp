@@ -5,8 +5,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-// CGAL's adaptors of graphs, and what CGAL's packages specialize for Surface_mesh by name: on Compact_surface_mesh, with
-// the answers that they give on Surface_mesh.
+// CGAL's adaptors of graphs, and what CGAL's packages specialize for Surface_mesh by name: on Compact_surface_mesh,
+// with the answers that they give on Surface_mesh.
 
 #include "bumpy_sphere.h"
 

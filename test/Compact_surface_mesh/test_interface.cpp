@@ -363,7 +363,8 @@ TEST(Interface, descriptors_compare_and_print_as_those_of_surface_mesh)
     out << decltype(halfedge)(5) << decltype(edge)(6) << decltype(face)(7);
     out << V(3) + 1 << std::size_t(V(3)) << V().is_valid() << V().idx() << decltype(edge)().is_valid();
     V v(3);
-    for (const std::size_t i : { std::size_t(++v), std::size_t(v++), std::size_t(--v), std::size_t(v--), std::size_t(v += 2) })
+    for (const std::size_t i : { std::size_t(++v), std::size_t(v++), std::size_t(--v), std::size_t(v--),
+                                 std::size_t(v += 2) })
       out << i << v;
     v.reset();
     out << (v == V());

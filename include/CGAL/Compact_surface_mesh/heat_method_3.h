@@ -5,9 +5,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-// The intrinsic mode of CGAL's heat method flips edges of a copy of its mesh, so the copy must be a Surface_mesh. This is
-// the only place where one is made of a Compact_surface_mesh that the user has not asked for. The headers of the heat
-// method need not be included.
+// The intrinsic mode of CGAL's heat method flips edges of a copy of its mesh, so the copy must be a Surface_mesh. This
+// is the only place where one is made of a Compact_surface_mesh that the user has not asked for. The headers of the
+// heat method need not be included.
 
 #ifndef CGAL_COMPACT_SURFACE_MESH_HEAT_METHOD_3_H
 #define CGAL_COMPACT_SURFACE_MESH_HEAT_METHOD_3_H

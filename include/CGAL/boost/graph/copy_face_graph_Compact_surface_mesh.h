@@ -140,7 +140,8 @@ void copy_face_graph(const Compact_surface_mesh<P, L>& source, Surface_mesh<Q>& 
     for (const auto e : source.edges())
       visit(e, target.edge(halfedges[source.halfedge(e)]));
   };
-  internal::copy_simple_maps<typename Source::Vertex_index, typename Target::Vertex_index>(source, target, vertex_pairs);
+  internal::copy_simple_maps<typename Source::Vertex_index, typename Target::Vertex_index>(source, target,
+                                                                                           vertex_pairs);
   internal::copy_simple_maps<typename Source::Halfedge_index, typename Target::Halfedge_index>(source, target,
                                                                                                halfedge_pairs);
   internal::copy_simple_maps<typename Source::Edge_index, typename Target::Edge_index>(source, target, edge_pairs);
