@@ -16,8 +16,10 @@ namespace test {
 inline std::size_t num_steps = 0; // of all walks along the lists of a vertex
 }
 #define CGAL_SCHNYDER_PARENTS_LAYOUT_COUNT_STEP ++test::num_steps;
+#define CGAL_SCHNYDER_FRONTS_LAYOUT_COUNT_STEP ++test::num_steps;
 
 #include "counted_allocation.h"
+#include "generated_surfaces.h"
 #include "generated_triangulations.h"
 #include "real_mesh.h"
 #include "test_scale.h"
@@ -291,6 +293,33 @@ TEST(Longest_walk, of_any_operator_is_at_most_the_stated_constant_whatever_the_d
   EXPECT_GT(walks.with_4, 20u); // or else nothing was counted
   EXPECT_GT(walks.with_5, 10u);
   EXPECT_EQ(0u, walks.with_6);
+}
+
+// The steps of the longest walk to a target.
+std::size_t longest_walk_to_target(const Soup& soup)
+{
+  using Layout = CGAL::Schnyder_fronts_layout<5, true>;
+  const Layout layout = layout_of<Layout>(soup);
+  std::size_t longest = 0;
+  volatile std::uint32_t sink = 0;
+  for (std::uint32_t h = 0; h < layout.num_halfedges(); ++h)
+    walk([&] { sink = layout.target(h); }, longest);
+  EXPECT_LE(longest, Layout::max_walk_length());
+  return longest;
+}
+
+// Red edges that form a cycle, with handles, may make two steps of one.
+TEST(Longest_walk, to_a_target_is_at_most_the_stated_constant_with_targets)
+{
+  std::size_t on_spheres = 0, with_handles = 0;
+  for (std::uint32_t n = 10; n < 100; ++n) {
+    on_spheres = (std::max)(on_spheres, longest_walk_to_target(test::random_triangulation(n, n)));
+    on_spheres = (std::max)(on_spheres, longest_walk_to_target(test::shuffled(test::double_wheel(n), n)));
+    with_handles = (std::max)(with_handles, longest_walk_to_target(test::closed_surface(1 + n % 20, 400, n)));
+  }
+  EXPECT_EQ(1u, on_spheres);
+  EXPECT_GE(with_handles, 1u);
+  std::cout << "longest walk to a target: " << on_spheres << " on spheres, " << with_handles << " with handles\n";
 }
 
 } // namespace

@@ -386,9 +386,10 @@ void expect_input_order()
 
 TEST(Schnyder_fronts_layout, of_six_or_five_references_keeps_the_order_of_the_vertices)
 {
-  static_assert(CGAL::Schnyder_fronts_layout<6>::keeps_vertex_order && CGAL::Schnyder_fronts_layout<5>::keeps_vertex_order
-                && !CGAL::Schnyder_fronts_layout<4>::keeps_vertex_order
-                && !CGAL::Schnyder_fronts_layout<5, true>::keeps_vertex_order, "");
+  static_assert(CGAL::Schnyder_fronts_layout<6>::keeps_vertex_order, "");
+  static_assert(CGAL::Schnyder_fronts_layout<5>::keeps_vertex_order, "");
+  static_assert(!CGAL::Schnyder_fronts_layout<4>::keeps_vertex_order, "");
+  static_assert(!CGAL::Schnyder_fronts_layout<5, true>::keeps_vertex_order, "");
   expect_input_order<CGAL::Schnyder_fronts_layout<6>>();
   expect_input_order<CGAL::Schnyder_fronts_layout<5>>();
 }

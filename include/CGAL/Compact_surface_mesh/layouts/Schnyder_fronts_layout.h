@@ -45,30 +45,32 @@ its target. These are the structures of L. Castelli Aleardi and O. Devillers, <e
 for triangulations</em>, Journal of Computational Geometry 9(1), 2018. They are there to compare with
 `Schnyder_parents_layout`.
 
-| references | with targets | source | vertices | `target()`, `source()`, `halfedge(u, v)` | bytes a vertex |
-| :--------: | :----------: | :----- | :------- | :--------------------------------------- | :-----: |
-| 6 | no | theorem 2 | keep the order of the input | linear in the degree | 24 |
-| 5 | no | theorem 4 | keep the order of the input | linear in the degree | 20 |
-| 4 | no | theorem 5 | are renumbered | linear in the degree | 16 |
+| references | with targets | source | vertices | `target()`, `source()`, `halfedge(u, v)` | bytes |
+| :--------: | :----------: | :----- | :------- | :--------------------------------------- | :---: |
+| 6 | no | theorem 2 | keep the order of the input | linear in a degree | 24 |
+| 5 | no | theorem 4 | keep the order of the input | linear in a degree | 20 |
+| 4 | no | theorem 5 | are renumbered | linear in a degree | 16 |
 | 5 | yes | theorem 6 | are renumbered | constant | 20 |
 
-Bytes are for a 32-bit `Index`. The degree is that of the vertex which is looked for, and halfedges are named by a vertex
-where they start or end: that one is always known in constant time, and with four references the red edges' targets
-are as well. All other queries take constant time in the worst case.
+Bytes are per vertex, for a 32-bit `Index`. The degree is that of the vertex which is looked for. Halfedges are named by
+a vertex where they start or end: that one is always known in constant time, and with four references the targets of
+red edges are as well. All other queries take constant time in the worst case.
 
-Faces cost nothing, other than in theorem 7: each is to the left of one red edge or to the right of one black edge, and
-never both. With four and five references, the wood is the one that has no clockwise face.
+Faces cost nothing, other than in theorem 7: each is to the left of one red edge or to the right of one black edge,
+and never both. With four and five references, the wood is the one that has no clockwise face. Corners are halfedges.
 
 The structures are extended from spheres to all surfaces. Where no border, special edge of the wood, polygon or
 vertex with several fans is near, and nothing was moved to where nothing is, vertex \f$u\f$ has the halfedges
-\f$6u + k\f$: \f$k = 0, 2, 4\f$ run along its red, blue and black edge out, and \f$k + 1\f$ back, and the faces \f$2u\f$ and
-\f$2u + 1\f$. Everywhere, opposite halfedges differ in the last bit, and halfedge \f$h\f$ belongs to edge \f$h/2\f$.
-Elsewhere queries also take time logarithmic in the numbers of vertices, borders, handles and vertices with several fans.
-Beside its vertices, a component costs at most 20 words, a border vertex 4, a handle four more records and at most 40
-words, a vertex with \f$k\f$ fans \f$4k\f$ and \f$k - 1\f$ more records, and an isolated vertex 10 words; or else at most
-eight bits a vertex serve all borders.
-A polygon has hidden diagonals, or a hidden vertex, which has a record as others have; then all edges, faces and
-vertices have a bit with its rank directory.
+\f$6u + k\f$: \f$k = 0, 2, 4\f$ run along its red, blue and black edge out, and \f$k + 1\f$ back, and the faces
+\f$2u\f$ and \f$2u + 1\f$. Everywhere, opposite halfedges differ in the last bit, and halfedge \f$h\f$ belongs to
+edge \f$h/2\f$. Elsewhere queries also take time logarithmic in the numbers of vertices, borders, handles and
+vertices with several fans.
+
+Beside the records of its vertices, a component costs at most 20 words; a border vertex 4, or all of them eight bits
+for each vertex of the mesh; a further border of a component 16, and two more records; a handle 32, and four more
+records; a vertex with \f$k\f$ fans \f$6k - 2\f$, and \f$k - 1\f$ more records; and an isolated vertex 10. A polygon has
+hidden diagonals, or a hidden vertex, which has a record as others have; then all edges, faces and vertices have a bit
+with its rank directory.
 
 \tparam References 4, 5 or 6
 \tparam has_targets whether one of five references is to the target of an edge
@@ -113,7 +115,11 @@ public:
     return "schnyder-fronts-" + std::to_string(References) + (has_targets ? "n-targets" : "n");
   }
   /// returns the largest number of vertices that fits beside the flags in `Index`.
-  static std::size_t max_vertices() { return Records::max_records; }
+  static constexpr std::size_t max_vertices() { return Records::max_records; }
+
+  /// returns the largest number of steps in which a target is found, if there are targets; else they are as many as the
+  /// degree of the target.
+  static constexpr std::size_t max_walk_length() { return has_targets ? 2 : max_vertices(); }
 
   /// creates the layout of the empty mesh.
   Schnyder_fronts_layout() = default;
@@ -231,7 +237,7 @@ public:
     return BOOST_LIKELY(m_records.is_plain(f / 2)) ? Halfedge::of(f / 2, f & 1 ? 5 : 0) : halfedge_of_face_elsewhere(f);
   }
 
-  /// returns the halfedge from `u` to `v`, `null_index()` if they are not adjacent; in time linear in the degrees of the
+  /// returns the halfedge from `u` to `v`, `null_index()` if they are not adjacent; in time linear in the degrees of
   /// neighbors of `u` and `v`, unless there are targets.
   Halfedge halfedge(Index u, Index v) const
   {

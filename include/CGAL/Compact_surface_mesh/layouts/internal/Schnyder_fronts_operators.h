@@ -14,6 +14,13 @@
 
 #include <boost/config.hpp>
 
+#include <cstddef>
+
+// Tests count here in how many steps targets are found.
+#ifndef CGAL_SCHNYDER_FRONTS_LAYOUT_COUNT_STEP
+#  define CGAL_SCHNYDER_FRONTS_LAYOUT_COUNT_STEP
+#endif
+
 namespace CGAL {
 namespace internal {
 
@@ -27,7 +34,9 @@ third side of each face follows from the rule around x and the fronts of the oth
 out of x, if the list of edges into x that may be between is empty, and else the third vertex's.
 
 With four or five fronts, those that are not stored follow from the wood having no clockwise faces: an edge u v,
-a list of edges into u that is not empty, and the directions at v leave one direction to the third side.
+a list of edges into u that is not empty, and the directions at v leave one direction to the third side. There is no
+exception, in any genus: of the faces that an extremal wood exempts, all but one have an apex, which no edge leaves,
+and the one across V_1 V_0 has its corner at V_0 where all edges come in.
 
 Records are sectors of vertices, and faces are owned, as in Schnyder_parents_operators. Around an apex, next()
 and prev() go along its hole; its own edges, the red ones of the vertices around it, come out of no operator.
@@ -256,8 +265,10 @@ private:
     }
   }
 
-  // Walks go around the target, to the edge out of it in which the list of edges into it ends: that of black edges
-  // counterclockwise, where no special edge can be between, and the others clockwise.
+  // With targets, the red child or sibling that a front names has the target, or it is the source of the next front:
+  // the depths of x and its children in the red tree have different parities, but at one vertex of each red cycle.
+  // Without targets, walks go around the target, to the edge out of it in which the list of edges into it ends:
+  // counterclockwise among black edges, where no special edge can be between, and clockwise among others.
   Index red_parent(Index x) const
   {
     Side s = r.side_at(x, Records::red_left);
@@ -280,6 +291,7 @@ private:
         const Side s = r.side_at(x, Records::blue);
         if (!(s.k & 1))
           return s.x;
+        CGAL_SCHNYDER_FRONTS_LAYOUT_COUNT_STEP
         x = s.x;
       }
     Side s = blue_left(x);
@@ -299,6 +311,7 @@ private:
           return r.record_at(x, Records::other_target);
         if (s.k & 1)
           return s.x;
+        CGAL_SCHNYDER_FRONTS_LAYOUT_COUNT_STEP
         x = s.x;
       }
     Side s = black_right(x);

@@ -37,8 +37,9 @@ struct Schnyder_parents_zone
   Index prev_fan(Index x) const { return r.has_more_fans(x) ? n.fans[x].prev : x; }
   Index last_sector(Index x) const
   {
-    return r.has_more_sectors(x) ? last_sector_of<Index>(x, n.sectors, n.end, [this](Index s) { return r.red_parent(s); })
-                                 : x;
+    if (!r.has_more_sectors(x))
+      return x;
+    return last_sector_of<Index>(x, n.sectors, n.end, [this](Index s) { return r.red_parent(s); });
   }
 
   Schnyder_face<Index> face_of_slot(Index slot) const { return n.face_of_slot(slot); }

@@ -57,7 +57,9 @@ public:
   Index halfedge_of_face(Index f) const
   {
     const Face face = op.zone.face_of_slot(n.faces.slot(f));
-    return halfedge(face.owner == Face::hole ? op.border_side(face.x) : Side{ face.x, face.owner == Face::A ? 0u : 5u });
+    if (face.owner == Face::hole)
+      return halfedge(op.border_side(face.x));
+    return halfedge(Side{ face.x, face.owner == Face::A ? 0u : 5u });
   }
 
   // null if u and v are not adjacent
