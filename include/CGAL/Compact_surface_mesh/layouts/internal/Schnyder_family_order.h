@@ -47,20 +47,31 @@ public:
       }
     };
     unfinished();
+    std::vector<bool> is_met(m_red_edge.size(), false);
     for (std::size_t v = 0; v < m_red_edge.size(); ++v)
-      if (m_number[v] == Table::null()) { // its ancestors form a cycle
-        number_children(m_table.target(m_red_edge[v]));
+      if (m_number[v] == Table::null()) {
+        number_children(vertex_on_cycle(static_cast<Index>(v), is_met));
         unfinished();
       }
   }
 
   std::vector<Index> release_numbers() { return std::move(m_number); }
 
-  // Whether the number of red edges from v to the end of its path is even: other than for the red parent of v,
-  // but where a cycle closes.
+  // Whether the number of red edges from v to the end of its path is even: other than for the red parent of v, but
+  // for the children of one vertex of each cycle.
   bool has_even_depth(Index v) const { return m_has_even_depth[v]; }
 
 private:
+  // Where the path of red edges from v, which has no end, closes. All vertices on it get numbers from there.
+  Index vertex_on_cycle(Index v, std::vector<bool>& is_met) const
+  {
+    while (!is_met[v]) {
+      is_met[v] = true;
+      v = m_table.target(m_red_edge[v]);
+    }
+    return v;
+  }
+
   void number_ends()
   {
     Index number = static_cast<Index>(m_red_edge.size());
