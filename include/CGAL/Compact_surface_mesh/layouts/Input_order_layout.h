@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <numeric>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -120,7 +121,12 @@ public:
   \param arguments go to the constructor of `Layout`
   \throws Mesh_defect_exception if `Layout` does
   */
-  template <class... Arguments>
+  template <class... Arguments
+#ifndef DOXYGEN_RUNNING
+            , class = std::enable_if_t<std::is_constructible<Layout, Closed_triangulation<Index>, Input_images<Index>&,
+                                                             const Arguments&...>::value>
+#endif
+            >
   Input_order_layout(Closed_triangulation<Index>&& t, Input_images<Index>& images, const Arguments&... arguments)
   {
     Input_images<Index> base_images;
