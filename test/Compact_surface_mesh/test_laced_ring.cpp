@@ -160,6 +160,14 @@ TYPED_TEST(Laced_rings, of_regular_meshes_take_two_hundredths_more_in_all_than_t
   }
 }
 
+// There, faces and edges are numbered by lists that are not empty.
+TYPED_TEST(Laced_rings, are_right_on_regular_meshes_with_few_handles_and_borders)
+{
+  for (const test::Soup& soup : { test::sphere_with_far_handles(3000, 5), test::torus_grid(30, 40),
+                                  test::mesh_with_borders(3000, 3, 1), test::shuffled(test::globe(40, 40), 3) })
+    EXPECT_EQ(test::difference_from_soup<TypeParam>(test::soup_of(soup)), "");
+}
+
 // The hubs are far away from all but a few vertices.
 TEST(Laced_ring, of_offsets_refers_to_what_is_far_away_by_long_references)
 {
