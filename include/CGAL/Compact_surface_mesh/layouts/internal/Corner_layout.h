@@ -136,9 +136,9 @@ public:
   }
   /// returns whether `h` is known to be a side of a triangle: always so in meshes without polygons.
   bool is_in_triangle(Index h) const { return m_mask.empty() && m_corners.face(h) != null_index(); }
-  /// returns the edge of `h`, by the rank of a bit.
+  /// returns the edge of `h`, as `Edges` numbers it: by the rank of a bit, unless the layout says otherwise.
   Index edge(Index h) const { return m_edges.edge(*this, m_corners, h); }
-  /// returns the halfedge of `e` with the smaller index, in logarithmic time by the selection of a bit.
+  /// returns a halfedge of `e`, always the same: in logarithmic time by the selection of a bit, likewise.
   Index halfedge_of_edge(Index e) const { return m_edges.halfedge(m_corners, e); }
   /// returns a halfedge whose target is `v`, always the same: a border halfedge if `v` lies on a
   /// border, `null_index()` if `v` is isolated.
