@@ -290,35 +290,32 @@ inline Soup torus_grid(std::uint32_t a, std::uint32_t b)
   return soup;
 }
 
-/// The surface of a scaffold: the cubic lattice of k x k x k nodes, thickened, its triangles cut
-/// into four `subdivisions` times. Genus 2 k^3 - 3 k^2 + 1; without subdivisions 8 k^3 vertices.
-/// With k = 18 and two subdivisions that is genus 10,693 and 1,067,256 vertices.
-inline Soup scaffold(int k, int subdivisions)
+/// The surface of the unit cubes c, below `size` in all directions, that `is_full(c)` tells: its
+/// vertices are all points with whole coordinates in the box, row by row, and each square has
+/// two triangles. It must be a manifold.
+template <class IsFull>
+Soup surface_of_cubes(const std::array<int, 3>& size, const IsFull& is_full)
 {
-  const int size = 2 * k - 1; // cubes along each side: nodes at even places, struts between them
-  const auto is_full = [size](const std::array<int, 3>& c) {
-    int num_odd = 0;
-    for (const int x : c) {
-      if (x < 0 || x >= size)
+  const auto is_cube = [&](const std::array<int, 3>& c) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (c[axis] < 0 || c[axis] >= size[axis])
         return false;
-      num_odd += x % 2;
-    }
-    return num_odd <= 1;
+    return is_full(c);
   };
-  const auto vertex = [k](const std::array<int, 3>& p) {
-    return static_cast<std::uint32_t>((p[0] * 2 * k + p[1]) * 2 * k + p[2]);
+  const auto vertex = [&](const std::array<int, 3>& p) {
+    return static_cast<std::uint32_t>((p[0] * (size[1] + 1) + p[1]) * (size[2] + 1) + p[2]);
   };
-  Soup soup{static_cast<std::uint32_t>(8 * k * k * k), {}};
+  Soup soup{static_cast<std::uint32_t>((size[0] + 1) * (size[1] + 1) * (size[2] + 1)), {}};
   std::array<int, 3> cube;
-  for (cube[0] = 0; cube[0] < size; ++cube[0])
-    for (cube[1] = 0; cube[1] < size; ++cube[1])
-      for (cube[2] = 0; cube[2] < size; ++cube[2])
-        for (std::size_t side = 0; is_full(cube) && side < 6; ++side) {
+  for (cube[0] = 0; cube[0] < size[0]; ++cube[0])
+    for (cube[1] = 0; cube[1] < size[1]; ++cube[1])
+      for (cube[2] = 0; cube[2] < size[2]; ++cube[2])
+        for (std::size_t side = 0; is_cube(cube) && side < 6; ++side) {
           const std::size_t axis = side / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
           const int outwards = side % 2 == 0 ? -1 : 1;
           std::array<int, 3> neighbor = cube, corner = cube;
           neighbor[axis] += outwards;
-          if (is_full(neighbor))
+          if (is_cube(neighbor))
             continue;
           corner[axis] += outwards > 0 ? 1 : 0;
           std::array<std::uint32_t, 4> square;
@@ -331,6 +328,18 @@ inline Soup scaffold(int k, int subdivisions)
           soup.triangles.push_back({square[0], square[1], square[2]});
           soup.triangles.push_back({square[2], square[3], square[0]});
         }
+  return soup;
+}
+
+/// The surface of a scaffold: the cubic lattice of k x k x k nodes, thickened, its triangles cut
+/// into four `subdivisions` times. Genus 2 k^3 - 3 k^2 + 1; without subdivisions 8 k^3 vertices.
+/// With k = 18 and two subdivisions that is genus 10,693 and 1,067,256 vertices.
+inline Soup scaffold(int k, int subdivisions)
+{
+  const int size = 2 * k - 1; // cubes along each side: nodes at even places, struts between them
+  Soup soup = surface_of_cubes({size, size, size}, [](const std::array<int, 3>& c) {
+    return c[0] % 2 + c[1] % 2 + c[2] % 2 <= 1;
+  });
   for (int i = 0; i < subdivisions; ++i)
     soup = subdivided(soup);
   return soup;
