@@ -164,6 +164,10 @@ private:
   std::vector<std::size_t> m_vertex_names, m_halfedge_names, m_face_names;
 };
 
+/// The type of the mesh of a `Named_mesh`, which may be a constant reference.
+template <class Named>
+using Mesh_of = typename std::decay_t<Named>::Mesh;
+
 /// A mesh, three times.
 struct Mesh_pair
 {

@@ -55,9 +55,7 @@ using test::all_pairs;
 using test::Answer;
 using test::expect_same_answer;
 using test::expect_same_answers;
-
-template <class Named>
-using Mesh_of = typename std::decay_t<Named>::Mesh;
+using test::Mesh_of;
 
 constexpr std::size_t start_name = 7;
 
