@@ -203,8 +203,9 @@ inline Surface_mesh placed(Surface_mesh mesh, double scale, const Kernel::Vector
   return mesh;
 }
 
-/// A plate with three holes: genus 3, 268 vertices, no self-intersections.
-inline Surface_mesh plate_of_genus_3()
+/// A plate with three holes, its triangles cut into 4^levels: genus 3, no self-intersections, 64
+/// vertices, with one level 268.
+inline Surface_mesh plate_of_genus_3(unsigned int levels = 1)
 {
   const Soup soup = surface_of_cubes({7, 3, 1}, [](const std::array<int, 3>& c) {
     return c[0] % 2 == 0 || c[1] != 1;
@@ -214,7 +215,7 @@ inline Surface_mesh plate_of_genus_3()
     mesh.add_vertex(Point(0.3 * (i / 8), 0.35 * (i / 2 % 4), 0.4 * (i % 2)));
   for (const Triangle& t : soup.triangles)
     mesh.add_face(Surface_mesh::Vertex_index(t[0]), Surface_mesh::Vertex_index(t[1]), Surface_mesh::Vertex_index(t[2]));
-  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(1));
+  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(levels));
   return displaced(std::move(mesh), 0.01);
 }
 
