@@ -105,8 +105,6 @@ TEST(Conformance_geodesics, heat_method_directly)
                       [](const auto& m) { return heat_distances<CGAL::Heat_method_3::Direct>(m); }, test::solving);
 }
 
-#ifdef CGAL_COMPACT_SURFACE_MESH_HEAT_METHOD_3_H
-
 // It copies the mesh, in an order of its own.
 TEST(Conformance_geodesics, heat_method_by_intrinsic_triangulations)
 {
@@ -119,7 +117,5 @@ TEST(Conformance_geodesics, heat_method_by_intrinsic_triangulations)
   for (const auto* const pair : test::connected_triangle_pairs())
     EXPECT_EQ(distances(pair->compact).difference(distances(pair->expected), test::solving), "") << pair->name;
 }
-
-#endif
 
 } // namespace

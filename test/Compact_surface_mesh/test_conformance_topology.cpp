@@ -27,9 +27,6 @@ using test::expect_same_answers_in_same_order;
 using test::Mesh_of;
 namespace Topology = CGAL::Surface_mesh_topology;
 
-// CGAL specializes templates for Surface_mesh by name, as this package has to.
-#ifdef CGAL_COMPACT_SURFACE_MESH_SURFACE_MESH_TOPOLOGY_H
-
 /// The length of a path.
 template <class Named, class Path>
 double length(const Named& m, const Path& path)
@@ -100,11 +97,5 @@ TEST(Conformance_topology, homotopy)
     return answer;
   });
 }
-
-#else
-
-TEST(Conformance_topology, curves) { GTEST_SKIP() << "Get_traits<Compact_surface_mesh> is missing"; }
-
-#endif
 
 } // namespace
