@@ -12,6 +12,7 @@
 
 #include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/Input_images.h>
+#include <CGAL/Compact_surface_mesh/layouts/Laced_ring_counts.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Corner_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Laced_ring.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Listed_triangle_numbering.h>

@@ -12,6 +12,7 @@
 
 #include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/internal/Emptied_on_move.h>
+#include <CGAL/Compact_surface_mesh/layouts/Laced_ring_counts.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Bordered_corners.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Copied_vertices.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Ring_expander.h>
@@ -28,29 +29,6 @@
 #include <vector>
 
 namespace CGAL {
-
-/*!
-\ingroup PkgCompactSurfaceMeshRef
-
-How many vertices and triangles of each kind a laced ring has, the hidden ones that close borders included:
-what the costs in section 8 of LR depend on (see `Laced_ring_layout`).
-*/
-struct Laced_ring_counts
-{
-  /// vertices on the ring.
-  std::size_t num_ring_vertices;
-  /// vertices with triangles that are on no ring.
-  std::size_t num_isolated_vertices;
-  /// triangles \f$T_0\f$, without ring edge, but for those that skip a wart.
-  std::size_t num_t0;
-  /// triangles \f$T_0^w\f$, which skip a wart.
-  std::size_t num_skipped_warts;
-  /// irregular triangles \f$T^i\f$: those that are beside a \f$T_0\f$.
-  std::size_t num_irregular;
-  /// entries \f$T^l\f$ with a long reference; none if entries are references.
-  std::size_t num_long;
-};
-
 namespace internal {
 
 /*
