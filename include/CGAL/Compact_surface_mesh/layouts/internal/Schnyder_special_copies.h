@@ -45,8 +45,10 @@ public:
                           const SlotOfSide& slot, Visitor&& second_copy)
   {
     for (std::size_t i = 0; i < table.num_halfedges(); ++i) {
+      if (!wood.is_special(i))
+        continue;
       const Index h = static_cast<Index>(i), o = table.opposite(h);
-      if (!wood.is_special(h) || o < h)
+      if (o < h)
         continue;
       Side first = side(h), second = side(o);
       if (slot(second) < slot(first))
