@@ -126,8 +126,10 @@ TEST(Conformance_parameterization, distortion)
     Mesh mesh = m.mesh;
     std::map<typename Mesh::Vertex_index, Kernel::Point_2> places;
     const boost::associative_property_map<decltype(places)> uv(places);
-    EXPECT_EQ(SMP::parameterize(mesh, first_border_halfedge(m), uv), SMP::OK); // mean value coordinates
-    return Answer() << SMP::compute_L2_stretch(mesh, uv);
+    const auto border = first_border_halfedge(m);
+    EXPECT_EQ(SMP::parameterize(mesh, border, uv), SMP::OK); // mean value coordinates
+    return Answer() << SMP::compute_L2_stretch(mesh, uv)
+                    << SMP::LSCM_parameterizer_3<Mesh>().is_one_to_one_mapping(mesh, border, uv);
   }, test::solving);
 }
 

@@ -18,6 +18,7 @@
 #include <CGAL/Polyhedral_envelope.h>
 #include <CGAL/Shape_detection/Region_growing/Region_growing.h>
 #include <CGAL/Shape_detection/Region_growing/Region_growing_on_polygon_mesh.h>
+#include <CGAL/Surface_mesh_approximation/L2_metric_plane_proxy.h>
 #include <CGAL/Surface_mesh_approximation/approximate_triangle_mesh.h>
 #include <CGAL/Variational_shape_approximation.h>
 #include <CGAL/convex_hull_3.h>
@@ -119,6 +120,15 @@ TEST(Conformance_shapes, variational_approximation)
            << approximation.extract_mesh(parameters::default_values()) << approximation.number_of_proxies();
     std::map<Face, std::size_t> proxy;
     approximation.proxy_map(boost::make_assoc_property_map(proxy));
+    answer.on(m.faces(), [&](auto f) { return proxy.at(f); });
+
+    typedef VSA::L2_metric_plane_proxy<Mesh> Distance_metric;
+    const Distance_metric distance_metric(mesh, point);
+    CGAL::Variational_shape_approximation<Mesh, Vertex_point_map, Distance_metric> by_distance(mesh, point,
+                                                                                              distance_metric);
+    by_distance.initialize_seeds(parameters::seeding_method(VSA::INCREMENTAL).max_number_of_proxies(6));
+    by_distance.run(3);
+    by_distance.proxy_map(boost::make_assoc_property_map(proxy));
     return answer.on(m.faces(), [&](auto f) { return proxy.at(f); });
   });
 }

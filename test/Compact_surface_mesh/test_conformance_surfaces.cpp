@@ -142,6 +142,9 @@ TEST(Conformance_surfaces, ridges_and_umbilics)
     ridges.compute_max_ridges(std::back_inserter(lines), CGAL::Ridge_order_4);
     ridges.compute_min_ridges(std::back_inserter(lines), CGAL::Ridge_order_3);
     ridges.compute_crest_ridges(std::back_inserter(lines), CGAL::Ridge_order_4);
+    CGAL::compute_max_ridges(mesh, k1, k2, b0, b3, d1, d2, p1, p2, std::back_inserter(lines));
+    CGAL::compute_min_ridges(mesh, k1, k2, b0, b3, d1, d2, p1, p2, std::back_inserter(lines));
+    CGAL::compute_crest_ridges(mesh, k1, k2, b0, b3, d1, d2, p1, p2, std::back_inserter(lines));
     EXPECT_FALSE(lines.empty());
     for (Line* const line : lines) {
       const std::unique_ptr<Line> owner(line);
