@@ -53,6 +53,12 @@ add_test(NAME package.edits_do_not_compile
     "-DCOMPILER=${CMAKE_CXX_COMPILER}" "-DINCLUDES=${package_dir}/include|${cgal_includes}"
     -P "${CMAKE_CURRENT_SOURCE_DIR}/refused/compile.cmake")
 
+# All that takes a mesh in the headers of this CGAL is in the manual's table, and the tests that it names exist.
+string(REPLACE "|" ";" cgal_directories "${cgal_includes}|${CGAL_INCLUDE_DIRS}")
+list(REMOVE_DUPLICATES cgal_directories)
+add_test(NAME package.entry_points
+  COMMAND "${CMAKE_CURRENT_SOURCE_DIR}/entry_points/entry_points" check ${cgal_directories})
+
 # The examples run, on a sphere of 2,050 vertices and on a small one for the drawing.
 if(COMPACT_SURFACE_MESH_BUILD_EXAMPLES)
   file(MAKE_DIRECTORY "${scratch_dir}")
