@@ -191,7 +191,7 @@ TYPED_TEST_P(Layouts, are_right_on_random_surfaces_of_all_kinds)
 TYPED_TEST_P(Layouts, are_right_on_large_surfaces_of_all_kinds)
 {
   Surface_options options;
-  options.max_vertices = static_cast<std::uint32_t>(scaled(20000)) + 50;
+  options.max_vertices = static_cast<std::uint32_t>(scaled(Walks_to_targets<TypeParam>::value ? 5000 : 20000)) + 50;
   options.max_genus = 200;
   for (unsigned int seed = 0; seed < 4; ++seed)
     ASSERT_EQ(All_woods<TypeParam>::difference(random_surface(seed, options)), "") << "seed " << seed;
