@@ -229,10 +229,10 @@ TEST(Conformance_elements, random_points)
     typedef Mesh_of<decltype(m)> Mesh;
     const Mesh& mesh = m.mesh;
     std::vector<Point> points;
-    CGAL::Random random(1);
-    CGAL::Random_points_in_triangle_mesh_3<Mesh> in_faces(mesh, random);
+    CGAL::get_default_random() = CGAL::Random(1); // points in an element are drawn by it, whatever is passed
+    CGAL::Random_points_in_triangle_mesh_3<Mesh> in_faces(mesh);
     std::copy_n(in_faces, 20, std::back_inserter(points));
-    CGAL::Random_points_on_edge_list_graph_3<Mesh> on_edges(mesh, random);
+    CGAL::Random_points_on_edge_list_graph_3<Mesh> on_edges(mesh);
     std::copy_n(on_edges, 20, std::back_inserter(points));
     PMP::sample_triangles<Kernel>(faces(mesh), mesh, get(CGAL::vertex_point, mesh), 0.2, std::back_inserter(points),
                                   true, true, true);
