@@ -239,7 +239,7 @@ inline Polygon_soup with_large_polygons(std::uint32_t genus, unsigned int seed)
 
 TYPED_TEST_P(Layouts, are_right_where_few_polygons_lie_among_many_triangles)
 {
-  for (unsigned int seed = 0; seed < 60; ++seed)
+  for (unsigned int seed = 0; seed < scaled(60) + 6; ++seed)
     ASSERT_EQ(All_woods<TypeParam>::difference(with_large_polygons(seed % 3, seed)), "") << "seed " << seed;
 }
 
