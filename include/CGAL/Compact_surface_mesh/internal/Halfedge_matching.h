@@ -38,7 +38,7 @@ public:
   // `opposite` receives the pairs; it has an element, of any value, per corner.
   Halfedge_matching(const Faces& faces, std::vector<Index>& opposite)
     : m_faces(faces), m_opposite(opposite), m_corner(faces.num_vertices(), null()),
-      m_incoming(faces.num_vertices(), null())
+      m_incoming(faces.num_vertices(), null()), m_fans(faces, opposite)
   {
     for (std::size_t i = m_opposite.size(); i-- > 0;) {
       Index& first = m_corner[m_faces.vertex(static_cast<Index>(i))];
@@ -56,7 +56,6 @@ public:
   bool pair_by_ends()
   {
     std::array<std::vector<Wedge>, batch_size> batch;
-    Vertex_fans<Index, Faces> fans(m_faces, m_opposite);
     for (std::size_t first = 0; first < m_corner.size(); first += batch_size) {
       const std::size_t end = (std::min)(m_corner.size(), first + batch_size);
       gather(first, end, batch);
@@ -64,8 +63,8 @@ public:
         const std::vector<Wedge>& wedges = batch[v - first];
         if (!pair_at(static_cast<Index>(v), wedges))
           return false;
-        if (m_nonmanifold_vertex == null() && !wedges.empty() && !fans.is_manifold(wedges))
-          m_nonmanifold_vertex = static_cast<Index>(v);
+        if (!wedges.empty())
+          m_fans.add(static_cast<Index>(v), wedges);
       }
     }
     return true;
@@ -94,11 +93,7 @@ public:
   }
 
   // Throws if pair_by_ends(), which did not stop, met a vertex that has closed and other fans.
-  void check_vertices() const
-  {
-    if (m_nonmanifold_vertex != null())
-      throw Mesh_defect_exception(Mesh_defect::nonmanifold_vertex, m_nonmanifold_vertex);
-  }
+  void check_vertices() const { m_fans.check(); }
 
 private:
   // A corner, and the vertices before and after it in its face.
@@ -167,7 +162,7 @@ private:
   std::vector<Index> m_corner;   // of each vertex: the first one
   std::vector<Index> m_incoming; // halfedge that was noted last at each source
   Index m_conflict = null();
-  Index m_nonmanifold_vertex = null(); // the first one
+  Vertex_fans<Index, Faces> m_fans;
 };
 
 // Pairs halfedges by their ends, and checks that the faces are an oriented manifold.

@@ -20,9 +20,9 @@
 namespace CGAL {
 namespace internal {
 
-// Asks whether a vertex has one closed fan of faces, or open fans only.
+// Finds a vertex that has neither one closed fan of faces nor open fans only. In linear time.
 //
-// `Faces` is as for Halfedge_matching; only the halfedges that start at the vertex need to be paired.
+// `Faces` is as for Halfedge_matching.
 template <class Index, class Faces>
 class Vertex_fans
 {
@@ -31,42 +31,71 @@ public:
 
   Vertex_fans(const Faces& faces, const std::vector<Index>& opposite) : m_faces(faces), m_opposite(opposite) {}
 
-  // `corners` are all corners of the vertex, at least one: a vector of what converts to Index.
+  // Adds a vertex by all of its corners, at least one: a vector of what converts to Index. The halfedges that
+  // start there are paired.
   template <class Corners>
-  bool is_manifold(const Corners& corners)
+  void add(Index v, const Corners& corners)
   {
     const Index first = corners.front();
     Index c = first;
     std::size_t size = 0;
     do {
       ++size;
-      c = clockwise(c);
+      c = m_opposite[c] == null() ? null() : m_faces.next(m_opposite[c]);
     } while (c != first && c != null() && size < corners.size());
-    return c == null() ? are_open(corners) : c == first && size == corners.size();
+    if (c == null())
+      add_open(v, corners);
+    else if (c != first || size != corners.size())
+      m_nonmanifold = (std::min)(m_nonmanifold, v);
+  }
+
+  // Throws if there is such a vertex among those that were added. All halfedges are paired.
+  void check() const
+  {
+    Index nonmanifold = m_nonmanifold;
+    auto border = m_borders.begin();
+    for (const Open_vertex& open : m_open) {
+      std::size_t size = 0;
+      for (const auto end = border + static_cast<std::ptrdiff_t>(open.num_fans); border != end; ++border)
+        size += size_of_fan(*border);
+      if (size != open.num_corners)
+        nonmanifold = (std::min)(nonmanifold, open.vertex);
+    }
+    if (nonmanifold != null())
+      throw Mesh_defect_exception(Mesh_defect::nonmanifold_vertex, nonmanifold);
   }
 
 private:
-  // Whether each corner is met on the way clockwise from a corner that follows no other one.
-  template <class Corners>
-  bool are_open(const Corners& corners)
+  struct Open_vertex
   {
-    m_followers.clear();
+    Index vertex;
+    std::size_t num_corners, num_fans; // open ones
+  };
+
+  template <class Corners>
+  void add_open(Index v, const Corners& corners)
+  {
+    const std::size_t num_borders = m_borders.size();
     for (const Index c : corners)
-      m_followers.push_back(clockwise(c));
-    std::sort(m_followers.begin(), m_followers.end());
-    std::size_t num_met = 0;
-    for (const Index first : corners)
-      if (!std::binary_search(m_followers.begin(), m_followers.end(), first))
-        for (Index c = first; c != null() && num_met <= corners.size(); c = clockwise(c))
-          ++num_met;
-    return num_met == corners.size();
+      if (m_opposite[c] == null())
+        m_borders.push_back(c);
+    m_open.push_back({ v, corners.size(), m_borders.size() - num_borders });
   }
 
-  Index clockwise(Index c) const { return m_opposite[c] == null() ? null() : m_faces.next(m_opposite[c]); }
+  // The number of corners from c counterclockwise to a border.
+  std::size_t size_of_fan(Index c) const
+  {
+    std::size_t size = 0;
+    for (; c != null(); c = m_opposite[m_faces.prev(c)])
+      ++size;
+    return size;
+  }
 
   const Faces& m_faces;
   const std::vector<Index>& m_opposite;
-  std::vector<Index> m_followers;
+  Index m_nonmanifold = null();     // the first one of those without an open fan at the first corner
+  std::vector<Open_vertex> m_open;
+  std::vector<Index> m_borders;     // of these, the corners from which fans are open clockwise
 };
 
 // Throws if a vertex has closed and other fans, whatever pairs the halfedges.
@@ -88,9 +117,10 @@ void check_vertices(const Faces& faces, const std::vector<Index>& opposite)
     const auto last = sorted.begin() + static_cast<std::ptrdiff_t>(end[v]);
     corners.assign(first, last);
     first = last;
-    if (!corners.empty() && !fans.is_manifold(corners))
-      throw Mesh_defect_exception(Mesh_defect::nonmanifold_vertex, v);
+    if (!corners.empty())
+      fans.add(static_cast<Index>(v), corners);
   }
+  fans.check();
 }
 
 } // namespace internal
