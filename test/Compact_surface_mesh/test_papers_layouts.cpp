@@ -9,7 +9,9 @@
 // against Surface_mesh, and a real mesh with many handles.
 
 #include "bumpy_sphere.h"
+#include "damaged_soups.h"
 #include "layout_of_soup.h"
+#include "real_mesh.h"
 
 #include <CGAL/Compact_surface_mesh.h>
 
@@ -21,7 +23,6 @@
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/IO/OFF.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/boost/graph/graph_concepts.h>
@@ -33,9 +34,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <fstream>
 #include <map>
 #include <vector>
 
@@ -121,16 +120,11 @@ TYPED_TEST(Papers_layout, serves_a_mesh_in_algorithms)
 
 TYPED_TEST(Papers_layout, is_right_on_a_real_mesh_of_genus_133)
 {
-  std::vector<Point> points;
-  std::vector<std::vector<std::size_t>> faces;
-  std::ifstream in(CGAL::data_file_path("meshes/cheese.off"));
-  if (!in || !CGAL::IO::read_OFF(in, points, faces))
+  const test::Soup cheese = test::real_mesh("cheese.off");
+  if (cheese.num_vertices == 0)
     GTEST_SKIP() << "CGAL's meshes are not there: run scripts/fetch_meshes";
-  test::Polygon_soup soup{points.size(), {}};
-  for (const auto& face : faces)
-    soup.faces.emplace_back(face.begin(), face.end());
-  EXPECT_EQ(2 - 2 * 133, static_cast<int>(points.size()) - static_cast<int>(faces.size() / 2));
-  EXPECT_EQ(test::difference_from_soup<TypeParam>(soup), "");
+  EXPECT_EQ(2 - 2 * 133, static_cast<int>(cheese.num_vertices) - static_cast<int>(cheese.triangles.size() / 2));
+  EXPECT_EQ(test::difference_from_soup<TypeParam>(test::soup_of(cheese)), "");
 }
 
 } // namespace
