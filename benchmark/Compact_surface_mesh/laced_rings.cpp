@@ -9,6 +9,7 @@
 // T. Gurung, M. Luffel, P. Lindstrom, J. Rossignac, LR: Compact connectivity representation for triangle meshes, 2011.
 
 #include "../../examples/Compact_surface_mesh/triangle_soup.h"
+#include "papers_meshes.h"
 
 #include <CGAL/Compact_surface_mesh/layouts/Laced_ring_layout.h>
 
@@ -18,7 +19,6 @@
 #include <iomanip>
 #include <iostream>
 #include <string>
-#include <vector>
 
 namespace {
 
@@ -27,18 +27,6 @@ Layout layout_of(const example::Triangle_soup& soup)
 {
   CGAL::Input_images<> images;
   return Layout(CGAL::Closed_triangulation<>(CGAL::Corner_table<>(soup.points.size(), soup.triangles)), images);
-}
-
-double percentage_of_regular_vertices(const example::Triangle_soup& soup)
-{
-  std::vector<unsigned int> num_triangles(soup.points.size(), 0);
-  for (const auto& t : soup.triangles)
-    for (const std::uint32_t v : t)
-      ++num_triangles[v];
-  std::size_t count = 0;
-  for (const unsigned int n : num_triangles)
-    count += n == 6 ? 1 : 0;
-  return 100. * static_cast<double>(count) / static_cast<double>(num_triangles.size());
 }
 
 // Prints the bits per triangle by the formula of section 8, and those of all that the layout allocates.
@@ -79,7 +67,7 @@ int main(int argc, char* argv[])
       const std::string name = argv[i];
       std::cout << std::left << std::setw(24) << name.substr(name.rfind('/') + 1) << std::right << std::setw(9)
                 << soup.triangles.size() << std::fixed << std::setprecision(1) << std::setw(6)
-                << percentage_of_regular_vertices(soup) << std::setprecision(2) << " |";
+                << papers::percentage_of_valence_6(soup) << std::setprecision(2) << " |";
       print<CGAL::Laced_ring_layout<> >(soup, 1);
       std::cout << " |";
       print<CGAL::Laced_ring_layout<std::uint32_t, std::uint16_t> >(soup, 2);

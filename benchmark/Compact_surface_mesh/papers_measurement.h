@@ -198,7 +198,7 @@ public:
                       { "SQuad references per triangle", 3 }, { "bit-efficient LR bits per triangle", 2 },
                       { "all its bits per triangle", 2 } };
     const double triangles = static_cast<double>(m_soup.triangles.size());
-    Papers_row ours{ m_mesh.name, { { triangles, {} }, { percentage_of_valence_6(), {} } } };
+    Papers_row ours{ m_mesh.name, { { triangles, {} }, { percentage_of_valence_6(m_soup), {} } } };
     const auto add = [&](const std::string& structure, double Kernels::Stored::*what, double scale, double paper) {
       const auto i = std::find_if(m_rows.begin(), m_rows.end(), [&](std::size_t k) { return name(k) == structure; });
       ours.cells.push_back({ i == m_rows.end() ? Figure() : Figure(scale * (m_stored[*i].*what) / triangles), paper });
@@ -287,15 +287,6 @@ private:
     const Timing wood = layouts.front();
     layouts.erase(layouts.begin());
     return { wood, layouts };
-  }
-
-  double percentage_of_valence_6() const
-  {
-    std::vector<int> valence(m_soup.points.size(), 0);
-    for (const auto& t : m_soup.triangles)
-      for (const auto v : t)
-        ++valence[v];
-    return 100. * static_cast<double>(std::count(valence.begin(), valence.end(), 6)) / m_n;
   }
 
   Mesh m_mesh;

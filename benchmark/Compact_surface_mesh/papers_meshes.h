@@ -36,6 +36,17 @@ struct Mesh
   std::string kinship;    ///< to the papers' model
 };
 
+/// returns the percentage of vertices of valence 6, with which the cost of laced rings goes down.
+inline double percentage_of_valence_6(const Triangle_soup& soup)
+{
+  std::vector<int> valence(soup.points.size(), 0);
+  for (const auto& t : soup.triangles)
+    for (const auto v : t)
+      ++valence[v];
+  return 100. * static_cast<double>(std::count(valence.begin(), valence.end(), 6)) /
+         static_cast<double>(valence.size());
+}
+
 /// fills each hole that has three sides with a triangle.
 inline Triangle_soup with_triangular_holes_filled(Triangle_soup soup)
 {
