@@ -8,7 +8,7 @@
 // Builds one mesh from a soup and says how long that takes. One process builds one type, so
 // that its peak memory and its instructions can be measured from outside: see run_construction.
 
-#include "../../examples/Compact_surface_mesh/compared_meshes.h"
+#include "all_layouts.h"
 
 #include <cstddef>
 #include <cstdlib>
@@ -29,7 +29,7 @@ using namespace example;
 {
   std::cerr << "construction TYPE MESH [--stages] | construction --soup-only MESH\n"
                "  TYPE         surface-mesh";
-  for_each_layout([](auto type) { std::cerr << ", " << decltype(type)::type::name(); });
+  for_each_layout(All_layouts(), [](auto type) { std::cerr << ", " << decltype(type)::type::name(); });
   std::cerr << "\n"
                "  MESH         sphere:N, random:N[:SEED] or a file\n"
                "  --stages     builds a layout step by step, with points in an array beside it, and times each\n"
@@ -91,7 +91,7 @@ bool build(const std::string& name, const Triangle_soup& soup, bool stages)
   bool found = name == "surface-mesh";
   if (found)
     build(soup, surface_mesh_of);
-  for_each_layout([&](auto type) {
+  for_each_layout(All_layouts(), [&](auto type) {
     using Layout = typename decltype(type)::type;
     if (name != Layout::name())
       return;

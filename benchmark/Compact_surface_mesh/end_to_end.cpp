@@ -8,6 +8,7 @@
 // Times of whole algorithms of CGAL, of copying and of construction, in all structures and on
 // all inputs, as ratios to Surface_mesh.
 
+#include "all_layouts.h"
 #include "end_to_end_kernels.h"
 #include "other_structures.h"
 #include "ratio_driver.h"
@@ -20,6 +21,6 @@ int main(int argc, char* argv[])
   using namespace example;
   return ratio_driver::main(argc, argv, [](const Triangle_soup& soup, const Comparison::Selection& wants) {
     return std::make_unique<const Comparison>(soup, wants, [](const std::string&) {}, End_to_end(),
-                                              Other_structures());
+                                              All_layouts(), Other_structures());
   });
 }

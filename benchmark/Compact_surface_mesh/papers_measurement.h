@@ -11,6 +11,7 @@
 // Measures what the papers' tables show, on one mesh.
 
 #include "../../examples/Compact_surface_mesh/comparison.h"
+#include "all_layouts.h"
 #include "closed_surface.h"
 #include "operator_kernels.h"
 #include "papers_figures.h"
@@ -65,7 +66,8 @@ public:
   Measurement(const Mesh& mesh, int rounds, std::function<bool(const std::string&)> wants)
     : m_mesh(mesh), m_soup(mesh.make()), m_rounds(rounds), m_wants(std::move(wants)),
       m_comparison(m_soup, [this](const std::string& name) { return name == winged_edge() || m_wants(name); },
-                   [](const std::string&) {}, Kernels{ &m_stored }, Other_structures(), example::Vertex_order::INPUT),
+                   [](const std::string&) {}, Kernels{ &m_stored }, All_layouts(), Other_structures(),
+                   example::Vertex_order::INPUT),
       m_n(static_cast<double>(m_soup.points.size()))
   {
     for (std::size_t i = 0; i < m_comparison.meshes().size(); ++i)
@@ -230,7 +232,7 @@ private:
   bool is_layout(std::size_t i) const
   {
     bool result = false;
-    example::for_each_layout([&](auto type) { result = result || decltype(type)::type::name() == name(i); });
+    example::for_each_layout(All_layouts(), [&](auto type) { result = result || decltype(type)::type::name() == name(i); });
     return result;
   }
 
@@ -278,7 +280,7 @@ private:
     if (!surface.is_connected())
       throw std::runtime_error(m_mesh.name + ": has several components");
     std::vector<example::Timed_function> functions = { [&] { return surface.shell(); } };
-    example::for_each_layout([&](auto type) {
+    example::for_each_layout(All_layouts(), [&](auto type) {
       using Layout = typename decltype(type)::type;
       if (m_wants(Layout::name()))
         functions.push_back([&] { return surface.build_layout<Layout>(); });

@@ -9,6 +9,7 @@
 
 #include "speed_comparison.h"
 
+#include "all_layouts.h"
 #include "operator_kernels.h"
 #include "other_structures.h"
 
@@ -39,5 +40,5 @@ struct Traversals_and_operators
 std::unique_ptr<const Comparison> speed_comparison(const Triangle_soup& soup, const Comparison::Selection& wants)
 {
   return std::make_unique<const Comparison>(soup, wants, [](const std::string&) {}, Traversals_and_operators(),
-                                            Other_structures());
+                                            All_layouts(), Other_structures());
 }

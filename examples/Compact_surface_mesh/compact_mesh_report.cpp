@@ -13,6 +13,7 @@
 #include "schnyder_embedding.h"
 #include "schnyder_svg.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdlib>
@@ -42,7 +43,7 @@ struct Arguments
 std::string layout_names()
 {
   std::string names;
-  for_each_layout([&](auto type) { names += decltype(type)::type::name() + ' '; });
+  for_each_layout(Layouts(), [&](auto type) { names += decltype(type)::type::name() + ' '; });
   return names + "all";
 }
 
@@ -103,6 +104,9 @@ struct Construction_and_traversals
 
 const int first_width = 31, width = 21;
 
+// The width of the column of a mesh.
+int width_for(const std::string& name) { return (std::max)(width, static_cast<int>(name.size()) + 2); }
+
 std::string fixed(double x, int digits)
 {
   std::ostringstream out;
@@ -110,22 +114,23 @@ std::string fixed(double x, int digits)
   return out.str();
 }
 
-void print_row(const std::string& name, const std::vector<std::string>& cells)
+void print_row(const Comparison& comparison, const std::string& name, const std::vector<std::string>& cells)
 {
   std::cout << std::left << std::setw(first_width) << name << std::right;
-  for (const std::string& cell : cells)
-    std::cout << std::setw(width) << cell;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    std::cout << std::setw(width_for(comparison.meshes()[i].name)) << cells[i];
   std::cout << '\n';
 }
 
 // Time, and its ratio to both times of Surface_mesh.
-void print_times(const std::string& name, const std::vector<Timing>& timings, double scale)
+void print_times(const Comparison& comparison, const std::string& name, const std::vector<Timing>& timings,
+                 double scale)
 {
   std::vector<std::string> cells;
   for (const Timing& t : timings)
     cells.push_back(fixed(t.seconds * scale, 1) + "  " + fixed(t.seconds / timings[0].seconds, 2) + "  " +
                     fixed(t.seconds / timings[1].seconds, 2));
-  print_row(name, cells);
+  print_row(comparison, name, cells);
 }
 
 template <class Cell>
@@ -140,18 +145,19 @@ std::vector<std::string> cells_of(const Comparison& comparison, const Cell& cell
 void print_table(const Triangle_soup& soup, const Comparison& comparison)
 {
   const double n = static_cast<double>(soup.points.size());
-  print_row("", cells_of(comparison, [](const Compared_mesh& m) { return m.name; }));
-  print_row("", cells_of(comparison, [](const Compared_mesh& m) { return m.order_name(); }));
-  print_row("references per vertex",
+  print_row(comparison, "", cells_of(comparison, [](const Compared_mesh& m) { return m.name; }));
+  print_row(comparison, "", cells_of(comparison, [](const Compared_mesh& m) { return m.order_name(); }));
+  print_row(comparison, "references per vertex",
             cells_of(comparison, [=](const Compared_mesh& m) { return fixed(m.connectivity_bytes / 4 / n, 2); }));
-  print_row("connectivity bytes per vertex",
+  print_row(comparison, "connectivity bytes per vertex",
             cells_of(comparison, [=](const Compared_mesh& m) { return fixed(m.connectivity_bytes / n, 2); }));
-  print_row("times, as ns per vertex", std::vector<std::string>(comparison.meshes().size(), "ns  /input  /our"));
+  print_row(comparison, "times, as ns per vertex",
+            std::vector<std::string>(comparison.meshes().size(), "ns  /input  /our"));
   for (const std::string way : { "call", "stars", "ranges", "circulators", "operators", "Boost" }) {
     std::cout << way << '\n';
     for (std::size_t k = 0; k < comparison.kernels().size(); ++k)
       if (comparison.kernels()[k].way == way)
-        print_times("  " + comparison.kernels()[k].name, comparison.times(k, rounds), 1e9 / n);
+        print_times(comparison, "  " + comparison.kernels()[k].name, comparison.times(k, rounds), 1e9 / n);
   }
   std::cout << "\nMedians of " << rounds << " interleaved runs; /input, /our: ratios to Surface_mesh in the order of "
                "the input, and\nin the order of our parents layouts. Surface_mesh has no stars: it is timed one "
@@ -175,13 +181,13 @@ void compare_answers(const Triangle_soup& soup)
       soup.points, soup.triangles, CGAL::parameters::vertex_to_vertex_map(CGAL::make_property_map(image)));
   const std::vector<Answer> answers = cgal_answers<Kernel>(mesh, image[0]);
 
-  const int question_width = 50;
+  const int question_width = 50, answer_width = width_for(Layout::name());
   std::cout << std::left << std::setw(question_width) << "algorithms" << std::right << std::setw(width)
-            << "Surface_mesh" << std::setw(width) << Layout::name() << std::setw(14) << "ms" << std::setw(10) << "ms"
+            << "Surface_mesh" << std::setw(answer_width) << Layout::name() << std::setw(14) << "ms" << std::setw(10) << "ms"
             << '\n';
   for (std::size_t i = 0; i < answers.size(); ++i)
     std::cout << std::left << std::setw(question_width) << answers[i].question << std::right << std::setprecision(12)
-              << std::defaultfloat << std::setw(width) << expected[i].value << std::setw(width) << answers[i].value
+              << std::defaultfloat << std::setw(width) << expected[i].value << std::setw(answer_width) << answers[i].value
               << std::fixed << std::setprecision(2) << std::setw(14) << 1000 * expected[i].seconds << std::setw(10)
               << 1000 * answers[i].seconds << '\n';
 }
@@ -207,12 +213,12 @@ void report(const Arguments& arguments)
   const auto wants = [&](const std::string& name) { return arguments.layout == "all" || name == arguments.layout; };
   const std::size_t v = soup.points.size(), f = soup.triangles.size();
   {
-    const Comparison comparison(soup, wants, show_progress, Construction_and_traversals());
+    const Comparison comparison(soup, wants, show_progress, Construction_and_traversals(), Layouts());
     std::cout << arguments.mesh << ": " << v << " vertices, " << f << " faces\n\n";
     print_table(soup, comparison);
   }
   bool is_first = true;
-  for_each_layout([&](auto type) {
+  for_each_layout(Layouts(), [&](auto type) {
     using Layout = typename decltype(type)::type;
     if (is_first && wants(Layout::name())) {
       is_first = false;

@@ -16,10 +16,6 @@
 
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
 #include <CGAL/Compact_surface_mesh/layouts/Input_order_layout.h>
-#include <CGAL/Compact_surface_mesh/layouts/Laced_ring_layout.h>
-#include <CGAL/Compact_surface_mesh/layouts/SOT_layout.h>
-#include <CGAL/Compact_surface_mesh/layouts/SQuad_layout.h>
-#include <CGAL/Compact_surface_mesh/layouts/Schnyder_fronts_layout.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/property_map.h>
@@ -40,20 +36,12 @@ namespace example {
 
 using Surface_mesh = CGAL::Surface_mesh<Point>;
 
-/// All layouts. A new one is one line here.
+/// The layouts of this package.
 using Layouts = std::tuple<CGAL::Schnyder_parents_layout<4>,
                            CGAL::Schnyder_parents_layout<5>,
                            CGAL::Schnyder_parents_layout<6>,
                            CGAL::Input_order_layout<>,
-                           CGAL::Schnyder_fronts_layout<6>,
-                           CGAL::Schnyder_fronts_layout<5>,
-                           CGAL::Schnyder_fronts_layout<4>,
-                           CGAL::Schnyder_fronts_layout<5, true>,
-                           CGAL::Corner_table_layout<>,
-                           CGAL::SOT_layout<>,
-                           CGAL::SQuad_layout<>,
-                           CGAL::Laced_ring_layout<>,
-                           CGAL::Laced_ring_layout<std::uint32_t, std::uint16_t> >;
+                           CGAL::Corner_table_layout<> >;
 
 template <class T>
 struct Type
@@ -61,11 +49,11 @@ struct Type
   using type = T;
 };
 
-/// calls `visit(Type<Layout>())` for each layout.
-template <class Visitor>
-void for_each_layout(const Visitor& visit)
+/// calls `visit(Type<Layout>())` for each layout of a list.
+template <class... Ls, class Visitor>
+void for_each_layout(std::tuple<Ls...>, const Visitor& visit)
 {
-  std::apply([&](auto... layouts) { (visit(Type<decltype(layouts)>()), ...); }, Layouts());
+  (visit(Type<Ls>()), ...);
 }
 
 /// builds a `Surface_mesh`, whose arrays grow once. Vertices keep their indices.

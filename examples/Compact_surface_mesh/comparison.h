@@ -69,11 +69,12 @@ public:
   /// \param progress is told what is being done
   /// \param kernels returns the list of kernels, as `kernels(Type<Structure>(), labeled_mesh, soup)`
   ///   where `soup` is what the mesh is built from
+  /// \param layouts the list of layouts
   /// \param given the order, `INPUT` or `OURS`, that layouts are given which keep it
   /// \throws std::runtime_error if a vertex has no face
-  template <class Kernels, class... Others>
+  template <class Kernels, class List, class... Others>
   Comparison(const Triangle_soup& soup, const Selection& wants, const Progress& progress, const Kernels& kernels,
-             std::tuple<Others...> = std::tuple<>(), Vertex_order given = Vertex_order::OURS)
+             List layouts, std::tuple<Others...> = std::tuple<>(), Vertex_order given = Vertex_order::OURS)
     : m_soup(soup), m_labels(soup.points.size()), m_progress(progress)
   {
     std::iota(m_labels.begin(), m_labels.end(), 0u);
@@ -87,7 +88,7 @@ public:
         add<Structure>(Vertex_order::INPUT, m_soup, m_labels, kernels);
     };
     (add_other(Type<Others>()), ...);
-    for_each_layout([&](auto type) {
+    for_each_layout(layouts, [&](auto type) {
       using Structure = Compact_structure<typename decltype(type)::type>;
       if (wants(Structure::name()))
         add_layout<Structure>(given, kernels);

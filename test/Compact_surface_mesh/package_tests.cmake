@@ -83,6 +83,11 @@ if(COMPACT_SURFACE_MESH_BUILD_EXAMPLES)
     PROPERTIES FIXTURES_REQUIRED spheres)
 endif()
 
+# Every structure gives the same results in the benchmark's kernels, of which no time is asked here.
+if(COMPACT_SURFACE_MESH_BUILD_BENCHMARKS)
+  add_test(NAME benchmark.speed COMMAND benchmark_speed 1000 --inputs "random|terrain" --rounds 1)
+endif()
+
 # The manual builds, and any warning fails.
 find_package(Doxygen QUIET)
 if(DOXYGEN_FOUND)
