@@ -13,6 +13,7 @@
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
 #include <CGAL/Compact_surface_mesh/Simple_triangulation.h>
 #include <CGAL/Compact_surface_mesh/internal/Emptied_on_move.h>
+#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -224,7 +225,7 @@ private:
   {
     const std::size_t n = first_apex();
     std::vector<unsigned char> rank(n, 0);
-    std::vector<Index> parent(n);
+    internal::Large_array<Index> parent(n);
     std::iota(parent.begin(), parent.end(), Index(0));
     typedef boost::typed_identity_property_map<Index> Vertex_map;
     typedef boost::iterator_property_map<unsigned char*, Vertex_map> Rank_map;
@@ -241,7 +242,7 @@ private:
     }
     std::vector<unsigned char>().swap(rank);
 
-    std::vector<Index> component(n, Table::null()); // of the vertices that stand for their sets
+    internal::Large_array<Index> component(n, Table::null()); // of the vertices that stand for their sets
     std::vector<Index> first_face;
     for (std::size_t f = 0; f < m_num_open_faces; ++f) {
       Index& c = component[sets.find_set(table().vertex(static_cast<Index>(3 * f)))];

@@ -14,6 +14,7 @@
 #include <CGAL/Compact_surface_mesh/internal/Emptied_on_move.h>
 #include <CGAL/Compact_surface_mesh/internal/Graph_faces.h>
 #include <CGAL/Compact_surface_mesh/internal/Halfedge_matching.h>
+#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 #include <CGAL/Compact_surface_mesh/internal/Polygon_list.h>
 
 #include <cstddef>
@@ -315,8 +316,8 @@ private:
   }
 
   internal::Emptied_on_move<std::size_t> m_num_vertices;
-  std::vector<Index> m_vertex;   // of each corner
-  std::vector<Index> m_opposite; // of each halfedge
+  internal::Large_array<Index> m_vertex;   // of each corner
+  internal::Large_array<Index> m_opposite; // of each halfedge
 };
 
 } // namespace CGAL

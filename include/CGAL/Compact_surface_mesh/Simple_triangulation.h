@@ -17,6 +17,7 @@
 #include <CGAL/Compact_surface_mesh/internal/Fan_corners.h>
 #include <CGAL/Compact_surface_mesh/internal/Graph_faces.h>
 #include <CGAL/Compact_surface_mesh/internal/Halfedge_matching.h>
+#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 #include <CGAL/Compact_surface_mesh/internal/Polygon_list.h>
 
 #include <cstddef>
@@ -94,7 +95,7 @@ public:
       internal::match_halfedges(m_table, m_table.m_opposite);
     } else {
       list.index_corners();
-      std::vector<Index> opposite(list.num_halfedges());
+      internal::Large_array<Index> opposite(list.num_halfedges());
       internal::match_halfedges(list, opposite);
       triangulate(list, opposite);
     }
@@ -128,7 +129,7 @@ public:
       list.restore_vertices(std::move(m_table.m_vertex));
     }
     list.index_corners();
-    std::vector<Index> opposite(list.num_halfedges());
+    internal::Large_array<Index> opposite(list.num_halfedges());
     internal::Halfedge_matching<Index, Polygon_list> matching(list, opposite);
     if (graph_faces.pair_by_ends(matching, opposite))
       matching.check_vertices();
@@ -198,11 +199,11 @@ private:
     m_num_user_faces = list.num_faces();
   }
 
-  void split_double_edges(Polygon_list& list, std::vector<Index>& opposite)
+  void split_double_edges(Polygon_list& list, internal::Large_array<Index>& opposite)
   {
     internal::Double_edge_split<Index> split(list, opposite);
     Polygon_list split_list = split.polygons();
-    std::vector<Index> split_opposite = split.opposites(split_list.num_halfedges());
+    internal::Large_array<Index> split_opposite = split.opposites(split_list.num_halfedges());
     m_stands_for = split.ends();
     m_halfedge_of_side = split.images();
     list = std::move(split_list);
@@ -210,7 +211,7 @@ private:
   }
 
   // Cuts faces whose halfedges are paired, and no two edges of which have the same ends.
-  void triangulate(const Polygon_list& list, const std::vector<Index>& opposite)
+  void triangulate(const Polygon_list& list, const internal::Large_array<Index>& opposite)
   {
     const std::vector<Index> fan_corner = internal::Fan_corners<Index>(list, max_fan_size).release();
     make_room(list, fan_corner);

@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
+#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 #include <CGAL/Compact_surface_mesh/internal/Polygon_list.h>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ public:
   static constexpr Index null() { return (std::numeric_limits<Index>::max)(); }
 
   // The corners of `polygons` are indexed, and its halfedges paired by `opposite`.
-  Double_edge_split(const Polygon_list<Index>& polygons, const std::vector<Index>& opposite)
+  Double_edge_split(const Polygon_list<Index>& polygons, const Large_array<Index>& opposite)
     : m_polygons(polygons), m_opposite(opposite), m_new_vertex(opposite.size(), null())
   {
     find_double_edges();
@@ -67,9 +68,9 @@ public:
   }
 
   // The pairs of the halfedges of polygons(), which must have been called.
-  std::vector<Index> opposites(std::size_t num_halfedges) const
+  Large_array<Index> opposites(std::size_t num_halfedges) const
   {
-    std::vector<Index> opposites(num_halfedges, null());
+    Large_array<Index> opposites(num_halfedges, null());
     for (std::size_t h = 0; h < m_image.size(); ++h) {
       if (m_opposite[h] == null())
         continue;
@@ -129,7 +130,7 @@ private:
   }
 
   const Polygon_list<Index>& m_polygons;
-  const std::vector<Index>& m_opposite;
+  const Large_array<Index>& m_opposite;
   std::vector<Index> m_new_vertex; // on the edge of each halfedge
   std::vector<Index> m_split;      // the halfedge from u to v of each new vertex
   std::vector<Index> m_image;      // the first half of each halfedge

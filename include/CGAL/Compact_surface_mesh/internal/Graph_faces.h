@@ -12,6 +12,7 @@
 
 #include <CGAL/Compact_surface_mesh/Mesh_defect_exception.h>
 #include <CGAL/Compact_surface_mesh/internal/Halfedge_matching.h>
+#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 #include <CGAL/Compact_surface_mesh/internal/Polygon_list.h>
 #include <CGAL/Compact_surface_mesh/internal/for_each_side.h>
 
@@ -70,7 +71,7 @@ public:
   // that is how the graph pairs them. It is not so if several edges have the same ends: either
   // two halfedges have the same direction, or two from a border are taken for one edge.
   template <class Index, class Faces>
-  bool pair_by_ends(Halfedge_matching<Index, Faces>& matching, const std::vector<Index>& opposite) const
+  bool pair_by_ends(Halfedge_matching<Index, Faces>& matching, const Large_array<Index>& opposite) const
   {
     const auto num_borders = static_cast<std::ptrdiff_t>(m_num_borders);
     return matching.pair_by_ends() && std::count(opposite.begin(), opposite.end(), matching.null()) == num_borders;
@@ -78,7 +79,7 @@ public:
 
   // Pairs halfedges as the graph does.
   template <class Index>
-  void pair(std::vector<Index>& opposite) const
+  void pair(Large_array<Index>& opposite) const
   {
     auto number = get(dynamic_halfedge_property_t<Index>(), m_graph);
     for_each_side(m_graph, [&](std::size_t i, halfedge_descriptor h) { put(number, h, static_cast<Index>(i)); });
@@ -89,7 +90,7 @@ public:
 
   // The triangle of a halfedge that has an opposite one by its ends, but none in the graph.
   template <class Index>
-  std::size_t triangle_at_false_pair(const std::vector<Index>& opposite) const
+  std::size_t triangle_at_false_pair(const Large_array<Index>& opposite) const
   {
     std::size_t found = opposite.size();
     for_each_side(m_graph, [&](std::size_t i, halfedge_descriptor h) {

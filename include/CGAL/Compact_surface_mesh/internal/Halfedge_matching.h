@@ -11,6 +11,7 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/Mesh_defect_exception.h>
+#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 #include <CGAL/Compact_surface_mesh/internal/Vertex_fans.h>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ public:
   static constexpr Index null() { return (std::numeric_limits<Index>::max)(); }
 
   // `opposite` receives the pairs; it has an element, of any value, per corner.
-  Halfedge_matching(const Faces& faces, std::vector<Index>& opposite)
+  Halfedge_matching(const Faces& faces, Large_array<Index>& opposite)
     : m_faces(faces), m_opposite(opposite), m_corner(faces.num_vertices(), null()),
       m_incoming(faces.num_vertices(), null()), m_fans(faces, opposite)
   {
@@ -158,16 +159,16 @@ private:
   }
 
   const Faces& m_faces;
-  std::vector<Index>& m_opposite;
-  std::vector<Index> m_corner;   // of each vertex: the first one
-  std::vector<Index> m_incoming; // halfedge that was noted last at each source
+  Large_array<Index>& m_opposite;
+  Large_array<Index> m_corner;   // of each vertex: the first one
+  Large_array<Index> m_incoming; // halfedge that was noted last at each source
   Index m_conflict = null();
   Vertex_fans<Index, Faces> m_fans;
 };
 
 // Pairs halfedges by their ends, and checks that the faces are an oriented manifold.
 template <class Index, class Faces>
-void match_halfedges(const Faces& faces, std::vector<Index>& opposite)
+void match_halfedges(const Faces& faces, Large_array<Index>& opposite)
 {
   Halfedge_matching<Index, Faces> matching(faces, opposite);
   if (!matching.pair_by_ends())

@@ -11,6 +11,7 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/Mesh_defect_exception.h>
+#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -118,13 +119,13 @@ public:
   std::size_t num_halfedges() const { return m_num_corners; }
 
   // Gives the vertices of all corners away.
-  std::vector<Index> release_vertices()
+  Large_array<Index> release_vertices()
   {
     m_vertex.resize(m_num_corners);
     return std::move(m_vertex);
   }
   // Takes them back.
-  void restore_vertices(std::vector<Index>&& vertex) { m_vertex = std::move(vertex); }
+  void restore_vertices(Large_array<Index>&& vertex) { m_vertex = std::move(vertex); }
 
   bool has_triangles_only() const { return m_first.empty(); }
 
@@ -205,7 +206,7 @@ private:
   std::size_t m_num_vertices;
   std::size_t m_num_corners = 0;
   std::size_t m_num_triangles = 0; // that the faces make at least; counted if some are polygons
-  std::vector<Index> m_vertex;     // of each corner, and more
+  Large_array<Index> m_vertex;     // of each corner, and more
   std::vector<std::size_t> m_polygon; // that is being read
   std::vector<Index> m_first;      // corner of each face, and the number of corners; empty for triangles
   std::vector<Index> m_face;       // of each corner

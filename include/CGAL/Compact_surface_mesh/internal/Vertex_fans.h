@@ -11,6 +11,7 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/Mesh_defect_exception.h>
+#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,7 +30,7 @@ class Vertex_fans
 public:
   static constexpr Index null() { return (std::numeric_limits<Index>::max)(); }
 
-  Vertex_fans(const Faces& faces, const std::vector<Index>& opposite) : m_faces(faces), m_opposite(opposite) {}
+  Vertex_fans(const Faces& faces, const Large_array<Index>& opposite) : m_faces(faces), m_opposite(opposite) {}
 
   // Adds a vertex by all of its corners, at least one: a vector of what converts to Index. The halfedges that
   // start there are paired.
@@ -92,7 +93,7 @@ private:
   }
 
   const Faces& m_faces;
-  const std::vector<Index>& m_opposite;
+  const Large_array<Index>& m_opposite;
   Index m_nonmanifold = null();     // the first one of those without an open fan at the first corner
   std::vector<Open_vertex> m_open;
   std::vector<Index> m_borders;     // of these, the corners from which fans are open clockwise
@@ -100,14 +101,14 @@ private:
 
 // Throws if a vertex has closed and other fans, whatever pairs the halfedges.
 template <class Index, class Faces>
-void check_vertices(const Faces& faces, const std::vector<Index>& opposite)
+void check_vertices(const Faces& faces, const Large_array<Index>& opposite)
 {
   std::vector<std::size_t> end(faces.num_vertices() + 1, 0); // of the corners of each vertex, in `sorted`
   for (std::size_t c = 0; c < opposite.size(); ++c)
     ++end[faces.vertex(static_cast<Index>(c)) + 1];
   for (std::size_t v = 1; v < end.size(); ++v)
     end[v] += end[v - 1];
-  std::vector<Index> sorted(opposite.size());
+  Large_array<Index> sorted(opposite.size());
   for (std::size_t c = 0; c < opposite.size(); ++c)
     sorted[end[faces.vertex(static_cast<Index>(c))]++] = static_cast<Index>(c);
   Vertex_fans<Index, Faces> fans(faces, opposite);

@@ -11,6 +11,7 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
+#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 
 #include <array>
 #include <cstddef>
@@ -72,7 +73,7 @@ public:
 private:
   enum : unsigned char { color_mask = 3, outgoing = 4, special = 8 };
 
-  std::vector<unsigned char> m_copy;
+  Large_array<unsigned char> m_copy;
 };
 
 // The halfedges of the root face (V_1, V_0, V_2), from `base` on, which runs from V_1 to V_0.

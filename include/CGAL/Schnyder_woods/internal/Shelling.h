@@ -11,6 +11,7 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
+#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 #include <CGAL/Schnyder_woods/Shelling_order.h>
 #include <CGAL/Schnyder_woods/internal/Nonseparating_chords.h>
 #include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
@@ -372,8 +373,8 @@ private:
   Random m_random;
   Index m_base = 0;
   std::size_t m_faces_left = 0;
-  std::vector<Index> m_corner_of_vertex; // one of each vertex; null while it is not in C
-  std::vector<Corner> m_corners;
+  Large_array<Index> m_corner_of_vertex; // one of each vertex; null while it is not in C
+  Large_array<Corner> m_corners;
   Index m_free_corner = Table::null();
   std::deque<Index> m_queue;
   Nonseparating_chords<Index> m_nonseparating;

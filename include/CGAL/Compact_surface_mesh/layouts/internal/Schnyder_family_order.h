@@ -33,7 +33,7 @@ class Schnyder_family_order
 public:
   // `red_edge` is as from red_edges_out().
   Schnyder_family_order(const Closed_triangulation<Index>& t, const Schnyder_wood& wood,
-                        const std::vector<Index>& red_edge)
+                        const Large_array<Index>& red_edge)
     : m_triangulation(t), m_table(t.table()), m_wood(wood), m_red_edge(red_edge),
       m_number(red_edge.size(), Table::null()), m_has_even_depth(red_edge.size(), false),
       m_is_done(red_edge.size(), false)
@@ -105,7 +105,7 @@ private:
   const Closed_triangulation<Index>& m_triangulation;
   const Table& m_table;
   const Schnyder_wood& m_wood;
-  const std::vector<Index>& m_red_edge;
+  const Large_array<Index>& m_red_edge;
   std::vector<Index> m_number;
   std::vector<bool> m_has_even_depth, m_is_done;
   std::vector<Index> m_stack; // vertices whose children have no numbers yet

@@ -291,7 +291,7 @@ private:
   Records& m_records;
   Numbering& m_numbering;
   const std::size_t m_num_vertices; // without apices
-  std::vector<Index> m_red_edge;
+  Large_array<Index> m_red_edge;
   Schnyder_sectors<Index> m_sectors;
   std::vector<Index> m_number;      // the record of each vertex and further sector
   std::vector<bool> m_has_even_depth;

@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
+#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_side.h>
 
 #include <cstddef>
@@ -70,7 +71,7 @@ public:
     Index word[References];
   };
 
-  std::vector<Record> records;
+  Large_array<Record> records;
 
   static Index code(Side s) { return static_cast<Index>(8 * s.x + s.k); }
   static Side side(Index code) { return { code >> 3, static_cast<unsigned>(code & 7) }; }

@@ -410,7 +410,7 @@ private:
   Records& m_records;
   Numbering& m_numbering;
   const std::size_t m_num_vertices; // without apices
-  std::vector<Index> m_red_edge;    // the halfedge from each vertex to its red parent; null if isolated
+  Large_array<Index> m_red_edge;    // the halfedge from each vertex to its red parent; null if isolated
   Schnyder_sectors<Index> m_sectors;
   std::vector<Index> m_number;      // the record of each vertex and further sector
   std::vector<bool> m_is_outside;   // of the core; empty if no vertex is

@@ -10,6 +10,8 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
+#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
+
 #include <boost/config.hpp>
 
 #include <cstddef>
@@ -84,7 +86,7 @@ public:
     Index first_child, last_child, last_in_black, first_in_blue;
   };
 
-  std::vector<Record> records;
+  Large_array<Record> records;
   std::vector<Long_lists> long_lists;
 
   Index parent(Index x, unsigned word) const { return records[x].word[word] >> flag_bits; }

@@ -26,9 +26,9 @@ namespace internal {
 // The halfedge out of each vertex that is red, null if the vertex is isolated; but for apices, which follow
 // the first `num_vertices` vertices.
 template <class Index>
-std::vector<Index> red_edges_out(const Corner_table<Index>& table, const Schnyder_wood& wood, std::size_t num_vertices)
+Large_array<Index> red_edges_out(const Corner_table<Index>& table, const Schnyder_wood& wood, std::size_t num_vertices)
 {
-  std::vector<Index> result(num_vertices, Corner_table<Index>::null());
+  Large_array<Index> result(num_vertices, Corner_table<Index>::null());
   for (std::size_t h = 0; h < table.num_halfedges(); ++h)
     if (wood.is_out(h, red) && table.source(static_cast<Index>(h)) < num_vertices)
       result[table.source(static_cast<Index>(h))] = static_cast<Index>(h);
@@ -63,7 +63,7 @@ public:
   Schnyder_sectors() = default;
 
   // `red_edge` is as from red_edges_out().
-  Schnyder_sectors(const Table& table, const Schnyder_wood& wood, const std::vector<Index>& red_edge)
+  Schnyder_sectors(const Table& table, const Schnyder_wood& wood, const Large_array<Index>& red_edge)
     : m_num_vertices(red_edge.size())
   {
     for (std::size_t h = 0; h < table.num_halfedges(); ++h)
