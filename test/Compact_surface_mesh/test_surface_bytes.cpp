@@ -186,16 +186,15 @@ void check_bytes(const Surface& surface)
   EXPECT_LE(bytes, (4 * References + 0.1) * n + 4 * surface.extra_words(References)) << References << " references";
 }
 
-// Three references a triangle, those at apices included, and two less for a quad; one a copy of a vertex, and
-// eight for the ways from fan to fan; a bit per halfedge with its ranks.
+// One reference a halfedge, and two less for a quad; one a copy of a vertex, and eight for the ways from fan to
+// fan; a bit per halfedge with its ranks. Euler tells how many halfedges there are.
 double bound_of_opposites(const Surface& surface, double part_with_quad)
 {
   const double num_pinched = static_cast<double>(surface.num_pinched);
-  const double further = static_cast<double>(surface.num_borders + 2 * surface.num_handles) + num_pinched;
-  const double triangles =
-    2 * (surface.soup.num_vertices + further) - 4 * static_cast<double>(surface.num_components);
-  const double edge_bytes = 3 * triangles / 8 * 9 / 8 + 1.5 * triangles * 8 / 512;
-  return 4 * (3 * triangles - 2 * part_with_quad * surface.soup.num_vertices + 9 * num_pinched) + edge_bytes + 100;
+  const double halfedges = 2 * (surface.soup.num_vertices + static_cast<double>(surface.soup.triangles.size())
+                                - static_cast<double>(surface.euler_characteristic()));
+  const double edge_bytes = halfedges / 8 * 9 / 8 + halfedges / 2 * 8 / 512;
+  return 4 * (halfedges - 2 * part_with_quad * surface.soup.num_vertices + 9 * num_pinched) + edge_bytes + 100;
 }
 
 template <class Layout>

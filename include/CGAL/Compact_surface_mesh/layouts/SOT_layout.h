@@ -28,13 +28,13 @@ namespace CGAL {
 The class `SOT_layout` stores the connectivity of a mesh as a Sorted Opposite Table (T. Gurung, J.
 Rossignac, <em>SOT: Compact representation for tetrahedral meshes</em>, 2009, for triangles): each vertex has
 one of its triangles, vertices and triangles are sorted alike, and only the opposite of each
-halfedge is stored. That is six references per vertex, and a bit per halfedge with its rank
-directory for the numbering of edges; six references less for a sphere, and six more for each border and twelve for
-each handle.
+halfedge is stored, those along borders included. That is six references per vertex, 6n + 12g - 12 on a closed
+surface of genus g, and a bit per halfedge with its rank directory for the numbering of edges.
 
 No vertex is stored. `source()` and `target()` turn around the vertex until they meet its triangle, in
 time linear in its degree, and so does all that asks for vertices: `halfedge(u, v)` takes time linear in the
-smaller of the degrees of `u` and `v`, times that of their neighbors. All other operators take constant time.
+smaller of the degrees of `u` and `v`, times that of their neighbors. Along borders, `next()` and `prev()` turn around
+the vertex between, likewise. All other operators take constant time.
 
 How vertices get their triangles is a matter of the construction: here those on borders get the triangle behind
 the border halfedge, so that `halfedge_of_vertex()` costs no array either, and a search from there, depth first,

@@ -28,18 +28,19 @@ namespace CGAL {
 The class `SQuad_layout` stores the connectivity of a mesh as T. Gurung, D. Laney, P. Lindstrom and J.
 Rossignac do in <em>SQuad: Compact representation for triangle meshes</em> (2011): it is an `SOT_layout` in which
 as many vertices as possible have a quad, two triangles beside each other at the vertex. Only the opposites of
-the four sides of the quad are stored. That is 6 - 2q references per vertex, where q is the part of the
-vertices that have one: 4.05 to 4.1 references on real meshes without many borders and handles, 4.14 on random
-triangulations, and further bits and references as there.
+the four sides of the quad are stored. That is a reference per halfedge, as there, and two less for each vertex that
+has one: 4.14 references per vertex on random triangulations, 4.05 to 4.1 on real meshes, 4.2 where they have many
+handles, and less than 4 where they have many borders, since a vertex there has a quad of one face and the border.
 
 The quads are not found as in the paper, but by random walks of the triangles that have no vertex, each of which
 ends at a vertex that has one triangle and so gets a quad. Walks are bounded, so the time is linear: it takes
 about ten steps a vertex. The outcome is always the same.
 
 `source()` and `target()` turn around the vertex until they meet its quad, in time linear in its degree, and so
-does all that asks for vertices, as with `SOT_layout`. All other operators take constant time.
+does all that asks for vertices, and for what is next on a border, as with `SOT_layout`. All other operators take
+constant time.
 
-Vertices are sorted by what they have: quads on borders, quads, triangles, triangles on borders, and none if they are
+Vertices are sorted by what they have: quads, triangles, quads on borders, triangles on borders, and none if they are
 isolated. In each part they keep the order of the input.
 
 \tparam Index_ an unsigned integer type

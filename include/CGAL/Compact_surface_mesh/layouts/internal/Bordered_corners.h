@@ -39,6 +39,7 @@ triangles around an apex.
 A `Table` has the triangles of a closed triangulation without caps in an order of its own, with the corners
 3t, 3t+1 and 3t+2 of triangle t counterclockwise. Corner 3t of a triangle at an apex is where the border
 halfedge starts, so the apex is at 3t+2. As in Corner_table, corners also name the halfedges that start there.
+What is opposite to a halfedge at an apex is asked for only by what is next on a border.
 A table is default constructible (empty), copyable and, when moved from, empty, and has
 
     typedef Index;

@@ -17,6 +17,8 @@
 #include <CGAL/Compact_surface_mesh/layouts/internal/Matched_triangles.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Paired_triangles.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -31,22 +33,28 @@ namespace internal {
 /*
 Opposites alone: see Bordered_corners for what a table is.
 
-Each vertex has a triangle, and they are sorted alike: the halfedge 3v of triangle v has the
-target v. To find the target of another halfedge, one turns around it until such a one is met.
+Each vertex has a triangle, and they are sorted alike: the halfedge 3t of the triangle t of v has the
+target v. To find the target of another halfedge, one turns around it until such a one is met. If triangles are
+`paired`, many vertices have two, and the halfedge 3t of the second one, too, has the target v: the quad of v. The
+common edge of the two, which is at 1 in the first one and at 0 in the second one, is not stored.
 
-If triangles are `paired`, the first q vertices have two, v and m + v, where m is the number of vertices
-with triangles, and the halfedges 3v and 3(m + v) have the target v: the quad of v. Their common edge
-{3v + 1, 3(m + v)} is not stored.
+The triangle behind a border halfedge belongs to the vertex where that one ends, as the second one if there is a
+quad. Of its sides, only that one is stored, and inside of a quad it is not, either; what is next to it at the
+apex is found around the vertices of the border. So there is one reference for each halfedge, those of borders
+included, and two less for each quad.
 
-    vertices                        triangles                    stored of a triangle
-    with a quad      0 .. q-1       v, and m + v                 halfedges 0 and 2; 1 and 2
-    with a triangle  q .. m-1       v                            all
-    none                            m + q ..                     all
+With f faces, and numbers q <= s <= m <= n, these are
 
-Of the vertices with a quad those on borders are the first, of the others they are the last, so the triangles behind
-borders are in one piece: of a quad it is the second one that is behind the border, and always the halfedge
-that is a multiple of three. Copies of a vertex, one for each further fan, are at the end; they have no quad.
-Vertices of a component of two triangles that have none are listed; isolated ones follow.
+    vertices                            triangles           stored of a triangle
+    with a quad             0 .. q-1    v, and m + v        halfedges 0 and 2; 1 and 2
+    with a triangle         q .. s-1    v                   all
+    with a quad, on border  s .. m-1    v, and f + v - s    halfedges 0 and 2; none
+    on a border             m .. n-1    f + v - s           halfedge 0
+    none                                m + q .. f-1        all
+
+that is, vertices on borders come last, and so do the triangles behind these. Copies of a vertex, one for each
+further fan, are the last of these n; they have no quad. Vertices of a component of two triangles that have none
+are listed; isolated ones follow.
 */
 template <class Index_, bool paired>
 class Sorted_corners
@@ -59,7 +67,7 @@ public:
   Sorted_corners() = default;
 
   Sorted_corners(Closed_triangulation<Index>& t, Corner_images<Index>& images)
-    : m_num_vertices(t.first_copy())
+    : m_num_vertices(t.first_copy()), m_num_faces(static_cast<Index>(t.num_open_faces()))
   {
     Matched_triangles<Index> matched(t);
     std::unique_ptr<const Paired_triangles<Index>> pairs;
@@ -77,14 +85,12 @@ public:
   static constexpr Index null() { return Table::null(); }
 
   std::size_t num_vertices() const { return m_num_vertices; }
-  std::size_t num_triangles() const { return (m_opposite.size() + 2 * std::size_t(m_num_quads)) / 3; }
+  std::size_t num_triangles() const { return std::size_t(m_num_faces) + num_borders(); }
 
-  Index opposite(Index c) const
+  // In constant time, but at an apex in time linear in the degree of a vertex.
+  BOOST_FORCEINLINE Index opposite(Index c) const
   {
-    if (!is_in_quad(c))
-      return m_opposite[slot(c)];
-    const Index t = c / 3;
-    return static_cast<Index>(t < m_num_quads ? 3 * (m_num_matched + t) : 3 * (t - m_num_matched) + 1);
+    return with_opposite(c, itself(), stored(), [this](Index other) { return opposite_elsewhere(other); });
   }
 
   Index source(Index c) const { return target(Table::prev(c)); }
@@ -98,7 +104,7 @@ public:
         if (v != null())
           return v < m_first_copy ? v : m_copies[v - m_first_copy];
       }
-      h = opposite(Table::next(h));
+      h = opposite_of_side(Table::next(h));
     } while (h != c);
     return target_without_triangle(c);
   }
@@ -106,7 +112,7 @@ public:
   Index halfedge_of_vertex(Index v) const
   {
     if (v < m_first_copy)
-      return static_cast<Index>(3 * (v < m_num_border_quads ? m_num_matched + v : v));
+      return static_cast<Index>(3 * (v < m_first_on_border ? v : triangle_behind_border(v)));
     const std::size_t i = v - m_first_copy;
     return i < m_without_triangle.size() ? m_without_triangle[i] : null();
   }
@@ -119,36 +125,78 @@ public:
   }
 
 private:
-  // Whether halfedge c is one of the two inside of a quad.
-  bool is_in_quad(Index c) const
-  {
-    if (!paired)
-      return false;
-    const Index t = c / 3, i = c % 3;
-    return t < m_num_quads ? i == 1 : i == 0 && m_num_matched <= t && t - m_num_matched < m_num_quads;
-  }
+  std::size_t num_borders() const { return m_num_matched - m_first_on_border; }
+  std::size_t num_border_quads() const { return m_num_with_face - m_first_on_border; }
 
-  // Where the opposite of c, which is not inside of a quad, is stored.
-  Index slot(Index c) const
+  static auto itself() { return [](Index opposite) { return opposite; }; }
+  auto stored() const { return [this](std::size_t slot) { return m_opposite[slot]; }; }
+
+  // Returns `stored(slot)` of the slot where the opposite of a halfedge is stored, or `implied(opposite)` if it is not.
+  // Most halfedges are those of quads of two faces, or, without quads, of faces; what other ones need is `elsewhere`.
+  template <class Implied, class Stored, class Elsewhere>
+  BOOST_FORCEINLINE auto with_opposite(Index c, const Implied& implied, const Stored& stored,
+                                       const Elsewhere& elsewhere) const
   {
     if (!paired)
-      return c;
+      return c < 3 * m_num_faces ? stored(c) : elsewhere(c);
     const Index t = c / 3, i = c % 3;
     if (t < m_num_quads)
-      return static_cast<Index>(4 * t + i / 2);
-    if (t < m_num_matched)
-      return static_cast<Index>(c + m_num_quads);
-    if (t - m_num_matched < m_num_quads)
-      return static_cast<Index>(4 * (t - m_num_matched) + 1 + i);
-    return static_cast<Index>(c - 2 * m_num_quads);
+      return i == 1 ? implied(static_cast<Index>(3 * (m_num_with_face + t))) : stored(4 * std::size_t(t) + i / 2);
+    const Index v = static_cast<Index>(t - m_num_with_face);
+    if (v < m_num_quads)
+      return i == 0 ? implied(static_cast<Index>(3 * v + 1)) : stored(4 * std::size_t(v) + 1 + i);
+    return elsewhere(c);
   }
 
-  // The vertex of triangle t, null if it has none.
-  Index owner(Index t) const
+  // The same for other halfedges, but not at apices.
+  template <class Implied, class Stored>
+  BOOST_FORCEINLINE auto with_opposite_elsewhere(Index c, const Implied& implied, const Stored& stored) const
   {
-    if (t < m_num_matched)
+    const std::size_t t = c / 3, i = c % 3, b = num_border_quads();
+    if (t < m_first_on_border)
+      return stored(c + m_num_quads);
+    if (t < m_num_with_face)
+      return i == 1 ? implied(static_cast<Index>(3 * triangle_behind_border(static_cast<Index>(t))))
+                    : stored(m_first_on_border + m_num_quads + 2 * t + i / 2);
+    if (t < m_num_faces)
+      return stored(c - 2 * std::size_t(m_num_quads) - b);
+    if (t < m_num_faces + b)
+      return implied(static_cast<Index>(3 * (t - m_num_faces + m_first_on_border) + 1));
+    return stored(t + 2 * (std::size_t(m_num_faces) - m_num_quads - b));
+  }
+
+  // Not asked at an apex.
+  BOOST_FORCEINLINE Index opposite_of_side(Index c) const
+  {
+    return with_opposite(c, itself(), stored(),
+                         [this](Index other) { return with_opposite_elsewhere(other, itself(), stored()); });
+  }
+
+  // At an apex, the triangle behind the next border halfedge, or the one before, is found around the vertex between.
+  BOOST_NOINLINE Index opposite_elsewhere(Index c) const
+  {
+    if (c / 3 < m_num_faces || c % 3 == 0)
+      return with_opposite_elsewhere(c, itself(), stored());
+    const bool is_next = c % 3 == 1;
+    Index h = opposite_of_side(static_cast<Index>(c - c % 3));
+    do
+      h = opposite_of_side(is_next ? Table::prev(h) : Table::next(h));
+    while (h / 3 < m_num_faces);
+    return static_cast<Index>(is_next ? h + 2 : h + 1);
+  }
+
+  // Of a vertex on a border.
+  Index triangle_behind_border(Index v) const { return static_cast<Index>(m_num_faces + (v - m_first_on_border)); }
+
+  // The vertex of triangle t, null if it has none.
+  BOOST_FORCEINLINE Index owner(Index t) const
+  {
+    if (t < m_num_with_face)
       return t;
-    return paired && t - m_num_matched < m_num_quads ? static_cast<Index>(t - m_num_matched) : null();
+    const Index v = static_cast<Index>(t - m_num_with_face);
+    if (paired && v < m_num_quads)
+      return v;
+    return t < m_num_faces ? null() : static_cast<Index>(m_first_on_border + (t - m_num_faces));
   }
 
   // There are few such vertices, which have two halfedges each, and the first one is listed.
@@ -159,7 +207,7 @@ private:
     return static_cast<Index>(m_first_copy + (it - m_without_triangle.begin()));
   }
 
-  enum Kind { border_quad, quad, triangle, border_triangle, copy, no_triangle, isolated, num_kinds };
+  enum Kind { quad, triangle, border_quad, border_triangle, copy, no_triangle, isolated, num_kinds };
 
   // Returns for each vertex that is no apex its place among them, sorted by kinds.
   template <class HasQuad>
@@ -182,8 +230,9 @@ private:
     }
     for (std::size_t k = 0; k < num_kinds; ++k)
       first[k + 1] += first[k];
-    m_num_border_quads = static_cast<Index>(first[quad]);
     m_num_quads = static_cast<Index>(first[triangle]);
+    m_first_on_border = static_cast<Index>(first[border_quad]);
+    m_num_with_face = static_cast<Index>(first[border_triangle]);
     m_first_copy = static_cast<Index>(first[copy]);
     m_num_matched = static_cast<Index>(first[no_triangle]);
     std::vector<Index> order(n);
@@ -207,11 +256,12 @@ private:
       const Index v = static_cast<Index>(i), h = matched.into(v);
       if (h == null())
         continue;
-      place(h, order[v]);
+      const Index p = order[v];
+      place(h, p < m_num_with_face ? p : triangle_behind_border(p));
       if (has_quad(v))
-        place(matched.following(h), std::size_t(m_num_matched) + order[v]);
+        place(matched.following(h), p < m_num_quads ? std::size_t(m_num_with_face) + p : triangle_behind_border(p));
     }
-    std::size_t next_place = std::size_t(m_num_matched) + m_num_quads;
+    std::size_t next_place = std::size_t(m_num_with_face) + m_num_quads;
     for (std::size_t f = 0; f < table.num_faces(); ++f)
       if (matched.owner(static_cast<Index>(f)) == null())
         place(static_cast<Index>(3 * f), next_place++);
@@ -236,10 +286,13 @@ private:
 
   void store_opposites(const Table& table, const std::vector<Index>& corners)
   {
-    m_opposite.resize(table.num_halfedges() - 2 * std::size_t(m_num_quads));
+    m_opposite.resize(3 * std::size_t(m_num_faces) + num_borders() - 2 * (m_num_quads + num_border_quads()));
     for (std::size_t i = 0; i < table.num_halfedges(); ++i) {
-      if (!is_in_quad(corners[i]))
-        m_opposite[slot(corners[i])] = corners[table.opposite(static_cast<Index>(i))];
+      const Index c = corners[i];
+      const auto ignore = [](Index) {};
+      const auto store = [&](std::size_t slot) { m_opposite[slot] = corners[table.opposite(static_cast<Index>(i))]; };
+      if (c / 3 < m_num_faces || c % 3 == 0) // not at an apex
+        with_opposite(c, ignore, store, [&](Index other) { with_opposite_elsewhere(other, ignore, store); });
     }
   }
 
@@ -259,8 +312,11 @@ private:
   }
 
   Emptied_on_move<std::size_t> m_num_vertices;
-  Emptied_on_move<Index> m_num_border_quads, m_num_quads; // the first vertices
-  Emptied_on_move<Index> m_first_copy, m_num_matched;     // the first vertices, and with copies
+  Emptied_on_move<Index> m_num_faces;                     // f
+  Emptied_on_move<Index> m_num_quads;                     // of two faces: q
+  Emptied_on_move<Index> m_first_on_border;               // s
+  Emptied_on_move<Index> m_num_with_face;                 // m
+  Emptied_on_move<Index> m_first_copy, m_num_matched;     // all that have a triangle, and with copies: n
   std::vector<Index> m_opposite;
   std::vector<Index> m_copies;           // the vertices that they are copies of
   std::vector<Index> m_without_triangle; // the first halfedge into each vertex without triangle, sorted
