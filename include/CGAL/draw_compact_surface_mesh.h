@@ -11,7 +11,7 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh.h>
-#include <CGAL/config.h>
+#include <CGAL/Compact_surface_mesh/internal/versions_of_cgal.h>
 
 #ifdef DOXYGEN_RUNNING
 
@@ -34,13 +34,16 @@ void draw(const Compact_surface_mesh<P, L>& mesh, const char* title = "Compact_s
 
 } // namespace CGAL
 
-#elif CGAL_VERSION_NR >= 1060000000
+#elif CGAL_COMPACT_SURFACE_MESH_WITH_CGAL_6
 
 #include <CGAL/Graphics_scene.h>
 #include <CGAL/Graphics_scene_options.h>
 #include <CGAL/IO/Color.h>
-#include <CGAL/Qt/Basic_viewer.h>
 #include <CGAL/draw_face_graph.h>
+
+#ifdef CGAL_USE_BASIC_VIEWER
+#include <CGAL/Qt/Basic_viewer.h>
+#endif
 
 namespace CGAL {
 

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh.h> // first: CGAL's functions then find those for Surface_mesh
 
 #include <CGAL/Compact_surface_mesh.h>
+#include <CGAL/Compact_surface_mesh/internal/versions_of_cgal.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Kernel_traits.h>
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <tuple>
@@ -37,6 +37,8 @@ class Read_mesh_oracle
   typedef typename Mesh::Point Point;
   typedef typename CGAL::Kernel_traits<Point>::Kernel Kernel;
   typedef std::tuple<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t, float, double,
+                     std::vector<std::int16_t>, std::vector<std::uint16_t>, std::vector<std::int32_t>,
+                     std::vector<std::uint32_t>, std::vector<float>, std::vector<double>,
                      CGAL::IO::Color, typename Kernel::Vector_3, typename Kernel::Point_2, Point> Value_types;
 
 public:
@@ -131,7 +133,7 @@ private:
   template <class T, class Key, class Image>
   void compare(const std::string& name, const T&, const std::map<Key, Image>& images, std::string& error) const
   {
-    const auto expected = found(m_expected.template property_map<Key, T>(name));
+    const auto expected = CGAL::internal::optional_map(m_expected.template property_map<Key, T>(name));
     if (!expected)
       return;
     const auto map = m_mesh.template find_property_map<Image, T>(name);
@@ -142,14 +144,6 @@ private:
       if (get(*expected, image.first) != get(map, image.second))
         error = "values of " + name;
   }
-
-  template <class Map>
-  static std::optional<Map> found(const std::pair<Map, bool>& answer)
-  {
-    return answer.second ? std::optional<Map>(answer.first) : std::nullopt;
-  }
-  template <class Map>
-  static std::optional<Map> found(const std::optional<Map>& answer) { return answer; }
 
   const Surface_mesh& m_expected;
   const Mesh& m_mesh;

@@ -11,6 +11,7 @@
 #include "read_mesh_oracle.h"
 
 #include <CGAL/Compact_surface_mesh.h>
+#include <CGAL/Compact_surface_mesh/internal/versions_of_cgal.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -26,6 +27,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <string>
@@ -280,12 +282,10 @@ std::string log_of_property_maps(M& m)
       << (m.template property_type<V>("v:none") == typeid(void));
   const M copy(m);
   added.first[V(0)] = 4;
-#if CGAL_VERSION_NR < 1060000000
-  log << copy.template property_map<V, double>("v:weight").first[V(0)]
-      << m.template property_map<V, double>("v:weight").second
-      << m.template property_map<V, double>("v:none").second
-      << bool(m.template property_map<V, double>("v:none").first);
-#endif
+  using CGAL::internal::optional_map;
+  log << (*optional_map(copy.template property_map<V, double>("v:weight")))[V(0)]
+      << (*optional_map(m.template property_map<V, double>("v:weight")))[V(0)]
+      << optional_map(m.template property_map<V, double>("v:none")).has_value();
   const auto names = m.template properties<V>();
   log << std::count(names.begin(), names.end(), "v:weight") << std::count(names.begin(), names.end(), "v:point");
   std::ostringstream stats;
@@ -307,11 +307,27 @@ std::string log_of_property_maps(M& m)
   return log.str();
 }
 
+// Whether property_map() answers with an optional.
+template <class M, class Map = typename M::template Property_map<typename M::Vertex_index, double> >
+inline constexpr bool finds_optionally =
+  std::is_same<decltype(std::declval<const M&>().template property_map<typename M::Vertex_index, double>("")),
+               std::optional<Map> >::value;
+
 TEST(Interface, property_maps_are_those_of_surface_mesh)
 {
+  static_assert(finds_optionally<Mesh> == finds_optionally<Surface_mesh>, "");
   Surface_mesh source = sheet(3, 3);
   Mesh mesh(source);
   EXPECT_EQ(log_of_property_maps(mesh), log_of_property_maps(source));
+}
+
+TEST(Interface, all_elements_are_removed_at_once)
+{
+  Mesh mesh(sheet(3, 3));
+  mesh.add_property_map<Mesh::Vertex_index, int>("v:n", 4);
+  CGAL::remove_all_elements(mesh);
+  EXPECT_TRUE(mesh.is_empty());
+  EXPECT_TRUE(mesh.property_type<Mesh::Vertex_index>("v:n") == typeid(int));
 }
 
 // What becomes of a mesh that is copied, moved, swapped and emptied, as text.

@@ -14,6 +14,7 @@
 
 #include <CGAL/Schnyder_woods.h>
 #include <CGAL/Compact_surface_mesh/Mesh_defect_exception.h>
+#include <CGAL/Compact_surface_mesh/internal/versions_of_cgal.h>
 
 #include <gtest/gtest.h>
 
@@ -264,7 +265,8 @@ TEST(Schnyder_woods, are_refused_on_what_is_no_triangulated_sphere)
       EXPECT_EQ(e.defect(), r.second);
     }
     for (const Halfedge h : mesh.halfedges())
-      EXPECT_EQ((mesh.property_map<Halfedge, int>("h:color").first[h]), 7) << "written in spite of the defect";
+      EXPECT_EQ((*CGAL::internal::optional_map(mesh.property_map<Halfedge, int>("h:color")))[h], 7)
+        << "written in spite of the defect";
   }
 }
 

@@ -10,11 +10,12 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
+#include <CGAL/Compact_surface_mesh/internal/versions_of_cgal.h>
+
 #include <CGAL/Surface_mesh/Properties.h>
 
 #include <cstddef>
 #include <iostream>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -105,7 +106,7 @@ public:
   template <class I, class T>
   Property_map<I, T> find_property_map(const std::string& name) const
   {
-    return found(property_map<I, T>(name));
+    return internal::optional_map(property_map<I, T>(name)).value_or(Property_map<I, T>());
   }
 
   /// removes the property map `map` and resets `map`.
@@ -236,10 +237,6 @@ protected:
 private:
   template <class I> Container<I>& container() { return std::get<Container<I> >(m_containers); }
   template <class I> const Container<I>& container() const { return std::get<Container<I> >(m_containers); }
-
-  // CGAL 5 answers with a pair, CGAL 6 with an optional
-  template <class Map> static Map found(const std::pair<Map, bool>& answer) { return answer.first; }
-  template <class Map> static Map found(const std::optional<Map>& answer) { return answer.value_or(Map()); }
 
   void find_points() { m_points = add_property_map<Vertex_index_, Point>("v:point").first; }
 

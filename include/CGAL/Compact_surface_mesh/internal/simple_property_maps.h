@@ -14,6 +14,7 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/Compact_surface_mesh_fwd.h>
+#include <CGAL/Compact_surface_mesh/internal/versions_of_cgal.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Kernel_traits.h>
@@ -61,28 +62,19 @@ struct Values_of_kernel<Kernel, std::void_t<typename Kernel::FT, typename Kernel
                            typename Kernel::Point_2, typename Kernel::Vector_2>;
 };
 
-// CGAL 5 answers with a pair, CGAL 6 with an optional.
 template <class Map, class Visitor>
-bool visit_found(const std::pair<Map, bool>& answer, const Visitor& visit)
+bool visit_found(const std::optional<Map>& map, const Visitor& visit)
 {
-  if (answer.second)
-    visit(answer.first);
-  return answer.second;
-}
-
-template <class Map, class Visitor>
-bool visit_found(const std::optional<Map>& answer, const Visitor& visit)
-{
-  if (answer)
-    visit(*answer);
-  return answer.has_value();
+  if (map)
+    visit(*map);
+  return map.has_value();
 }
 
 // Calls visit(map) if the mesh has a map with this name and one of these types of values.
 template <class Element, class Mesh, class Visitor, class... T>
 bool visit_map(const Mesh& mesh, const std::string& name, const Visitor& visit, Value_types<T...>)
 {
-  return (visit_found(mesh.template property_map<Element, T>(name), visit) || ...);
+  return (visit_found(optional_map(mesh.template property_map<Element, T>(name)), visit) || ...);
 }
 
 // Calls visit(name, map) for the property maps of a kind of elements whose values are simple. Points and what
