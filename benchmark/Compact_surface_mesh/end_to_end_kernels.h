@@ -11,9 +11,9 @@
 // Work that a program calls whole: each is written once, for any FaceListGraph.
 
 #include "../../examples/Compact_surface_mesh/comparison.h"
+#include "../../examples/Compact_surface_mesh/names_of_cgal_6.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
@@ -85,7 +85,7 @@ private:
 };
 
 template <class Mesh>
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh> > >;
+using Tree = CGAL::AABB_tree<AABB_traits_3<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh> > >;
 
 /// An AABB tree of the faces: returns their number.
 template <class Mesh>

@@ -11,8 +11,9 @@
 // What algorithms of CGAL and Boost answer on a mesh of any type: this is a program written
 // for Surface_mesh.
 
+#include "names_of_cgal_6.h"
+
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -59,7 +60,7 @@ template <class Kernel, class Mesh>
 double mean_distance_to(const Mesh& mesh, const CGAL::Bbox_3& box)
 {
   using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive> > tree(faces(mesh).begin(), faces(mesh).end(), mesh);
+  CGAL::AABB_tree<AABB_traits_3<Kernel, Primitive> > tree(faces(mesh).begin(), faces(mesh).end(), mesh);
   tree.accelerate_distance_queries();
   double sum = 0;
   for (int i = 0; i < 9; ++i) {

@@ -8,10 +8,10 @@
 // Distances, intersections, sections, locations and the AABB tree, on both meshes of each pair.
 
 #include "conformance_answers.h"
+#include "../../examples/Compact_surface_mesh/names_of_cgal_6.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_halfedge_graph_segment_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/intersection.h>
@@ -361,7 +361,7 @@ TEST(Conformance_distances, trees_of_faces)
   expect_same_answers(triangle_pairs(), [](const auto& m) {
     typedef Mesh_of<decltype(m)> Mesh;
     typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
-    CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(faces(m.mesh).first, faces(m.mesh).second, m.mesh);
+    CGAL::AABB_tree<example::AABB_traits_3<Kernel, Primitive>> tree(faces(m.mesh).first, faces(m.mesh).second, m.mesh);
     tree.accelerate_distance_queries();
     Answer answer = answers_of_tree(tree, [&](auto f) { return m.name(f); });
     for (const Point& p : queries()) {
@@ -371,7 +371,7 @@ TEST(Conformance_distances, trees_of_faces)
       if (hit) {
         const auto face = tree.first_intersected_primitive(ray);
         answer << m.name(hit->second) << m.name(*face);
-        if (const Point* q = boost::get<Point>(&hit->first))
+        if (const Point* q = example::get_if<Point>(&hit->first))
           answer << *q;
       }
     }
@@ -384,8 +384,8 @@ TEST(Conformance_distances, trees_of_faces_with_cached_triangles)
   expect_same_answers(triangle_pairs(), [](const auto& m) {
     typedef Mesh_of<decltype(m)> Mesh;
     typedef CGAL::AABB_face_graph_triangle_primitive<Mesh, CGAL::Default, CGAL::Tag_false, CGAL::Tag_true> Primitive;
-    const CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(faces(m.mesh).first, faces(m.mesh).second,
-                                                                     m.mesh);
+    const CGAL::AABB_tree<example::AABB_traits_3<Kernel, Primitive>> tree(faces(m.mesh).first, faces(m.mesh).second,
+                                                                              m.mesh);
     return answers_of_tree(tree, [&](const auto& f) { return m.name(f.first); });
   });
 }
@@ -395,8 +395,8 @@ TEST(Conformance_distances, trees_of_edges)
   expect_same_answers(test::all_pairs(), [](const auto& m) {
     typedef Mesh_of<decltype(m)> Mesh;
     typedef CGAL::AABB_halfedge_graph_segment_primitive<Mesh> Primitive;
-    const CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(edges(m.mesh).first, edges(m.mesh).second,
-                                                                     m.mesh);
+    const CGAL::AABB_tree<example::AABB_traits_3<Kernel, Primitive>> tree(edges(m.mesh).first, edges(m.mesh).second,
+                                                                              m.mesh);
     return answers_of_tree(tree, [&](auto e) { return m.name(e); });
   });
 }

@@ -9,9 +9,9 @@
 // that look at them one by one, on both meshes of each pair.
 
 #include "conformance_answers.h"
+#include "../../examples/Compact_surface_mesh/names_of_cgal_6.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -215,7 +215,7 @@ TEST(Conformance_elements, places)
 
     typedef typename boost::property_map<Mesh, CGAL::vertex_point_t>::const_type Vertex_point_map;
     typedef CGAL::AABB_face_graph_triangle_primitive<Mesh, Vertex_point_map> Primitive;
-    CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree;
+    CGAL::AABB_tree<example::AABB_traits_3<Kernel, Primitive>> tree;
     PMP::build_AABB_tree(mesh, tree);
     for (int i = 0; i < 20; ++i)
       add(PMP::locate_with_AABB_tree(Point(0.1 * i, 1 - 0.1 * i, 0.05 * i), tree, mesh));

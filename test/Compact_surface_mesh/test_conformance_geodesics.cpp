@@ -8,9 +8,9 @@
 // Shortest paths and distances on surfaces, on both meshes of each pair.
 
 #include "conformance_answers.h"
+#include "../../examples/Compact_surface_mesh/names_of_cgal_6.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
@@ -48,7 +48,7 @@ TEST(Conformance_geodesics, shortest_paths)
   expect_same_answers(test::triangle_pairs(), [](const auto& m) {
     typedef std::decay_t<decltype(m)> Named;
     typedef Mesh_of<Named> Mesh;
-    typedef CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>> Tree_traits;
+    typedef example::AABB_traits_3<Kernel, CGAL::AABB_face_graph_triangle_primitive<Mesh>> Tree_traits;
     CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>> paths(m.mesh);
     paths.add_source_point(m.vertex(7));
     paths.add_source_point(m.face_of(101), {{1. / 3, 1. / 3, 1. / 3}});

@@ -10,6 +10,8 @@
 
 #include "conformance_answers.h"
 
+#include <CGAL/Compact_surface_mesh/internal/versions_of_cgal.h>
+
 #include <CGAL/Extreme_points_traits_adapter_3.h>
 #include <CGAL/Polygon_mesh_processing/fair.h>
 #include <CGAL/Polygon_mesh_processing/random_perturbation.h>
@@ -17,11 +19,16 @@
 #include <CGAL/Polygon_mesh_processing/tangential_relaxation.h>
 #include <CGAL/Polyhedral_envelope.h>
 #include <CGAL/Shape_detection/Region_growing/Region_growing.h>
-#include <CGAL/Shape_detection/Region_growing/Region_growing_on_polygon_mesh.h>
 #include <CGAL/Surface_mesh_approximation/L2_metric_plane_proxy.h>
 #include <CGAL/Surface_mesh_approximation/approximate_triangle_mesh.h>
 #include <CGAL/Variational_shape_approximation.h>
 #include <CGAL/convex_hull_3.h>
+
+#if CGAL_COMPACT_SURFACE_MESH_WITH_CGAL_6
+#include <CGAL/Shape_detection/Region_growing/Polygon_mesh.h>
+#else
+#include <CGAL/Shape_detection/Region_growing/Region_growing_on_polygon_mesh.h>
+#endif
 
 #ifdef CGAL_METIS_ENABLED
 #include <CGAL/boost/graph/METIS/partition_dual_graph.h>
@@ -133,35 +140,54 @@ TEST(Conformance_shapes, variational_approximation)
   });
 }
 
+/// The names of the faces of almost planar regions.
+template <class Named>
+std::vector<std::multiset<std::size_t>> grown_regions(const Named& m)
+{
+  namespace Regions = CGAL::Shape_detection::Polygon_mesh;
+  typedef Mesh_of<Named> Mesh;
+  typedef Regions::One_ring_neighbor_query<Mesh> Neighbors;
+  typedef Regions::Least_squares_plane_fit_region<Kernel, Mesh> Region_type;
+  typedef Regions::Least_squares_plane_fit_sorting<Kernel, Mesh, Neighbors> Sorting;
+  Neighbors neighbors(m.mesh);
+  std::vector<std::multiset<std::size_t>> result;
+#if CGAL_COMPACT_SURFACE_MESH_WITH_CGAL_6
+  typedef CGAL::Shape_detection::Region_growing<Neighbors, Region_type> Region_growing;
+  Region_type region_type(m.mesh, parameters::maximum_distance(0.05).maximum_angle(30.).minimum_region_size(3));
+  Sorting sorting(m.mesh, neighbors);
+  sorting.sort();
+  Region_growing region_growing(faces(m.mesh), sorting.ordered(), neighbors, region_type);
+  std::vector<typename Region_growing::Primitive_and_region> regions;
+  region_growing.detect(std::back_inserter(regions));
+  for (const auto& region : regions)
+    result.push_back(m.names(region.second));
+#else
+  typedef typename Mesh::Face_range Face_range;
+  typedef CGAL::Shape_detection::Region_growing<Face_range, Neighbors, Region_type, typename Sorting::Seed_map>
+    Region_growing;
+  const Face_range face_range = faces(m.mesh);
+  const auto point = get(CGAL::vertex_point, m.mesh);
+  Region_type region_type(m.mesh, 0.05, 30, 3, point);
+  Sorting sorting(m.mesh, neighbors, point);
+  sorting.sort();
+  Region_growing region_growing(face_range, neighbors, region_type, sorting.seed_map());
+  std::vector<std::vector<std::size_t>> regions;
+  region_growing.detect(std::back_inserter(regions));
+  for (const auto& region : regions) {
+    result.emplace_back();
+    for (const std::size_t i : region)
+      result.back().insert(m.name(*(face_range.begin() + static_cast<std::ptrdiff_t>(i))));
+  }
+#endif
+  return result;
+}
+
 TEST(Conformance_shapes, region_growing)
 {
   expect_same_answers_in_same_order(test::all_pairs(), [](const auto& m) {
-    namespace Regions = CGAL::Shape_detection::Polygon_mesh;
-    typedef Mesh_of<decltype(m)> Mesh;
-    typedef typename Mesh::Face_range Face_range;
-    typedef Regions::One_ring_neighbor_query<Mesh> Neighbors;
-    typedef Regions::Least_squares_plane_fit_region<Kernel, Mesh> Region_type;
-    typedef Regions::Least_squares_plane_fit_sorting<Kernel, Mesh, Neighbors> Sorting;
-    typedef CGAL::Shape_detection::Region_growing<Face_range, Neighbors, Region_type, typename Sorting::Seed_map>
-      Region_growing;
-    const Face_range face_range = faces(m.mesh);
-    const auto point = get(CGAL::vertex_point, m.mesh);
-    Neighbors neighbors(m.mesh);
-    Region_type region_type(m.mesh, 0.05, 30, 3, point);
-    Sorting sorting(m.mesh, neighbors, point);
-    sorting.sort();
-    Region_growing region_growing(face_range, neighbors, region_type, sorting.seed_map());
-    std::vector<std::vector<std::size_t>> regions;
-    region_growing.detect(std::back_inserter(regions));
+    const std::vector<std::multiset<std::size_t>> regions = grown_regions(m);
     EXPECT_GT(regions.size(), 1u);
-    Answer answer;
-    for (auto& region : regions) {
-      std::multiset<std::size_t> names;
-      for (const std::size_t i : region)
-        names.insert(m.name(*(face_range.begin() + static_cast<std::ptrdiff_t>(i))));
-      answer << names;
-    }
-    return answer;
+    return Answer() << regions;
   });
 }
 

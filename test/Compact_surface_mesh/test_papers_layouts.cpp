@@ -12,6 +12,7 @@
 #include "damaged_soups.h"
 #include "layout_of_soup.h"
 #include "real_mesh.h"
+#include "../../examples/Compact_surface_mesh/names_of_cgal_6.h"
 
 #include <CGAL/Compact_surface_mesh.h>
 
@@ -21,7 +22,6 @@
 #include <CGAL/Compact_surface_mesh/layouts/Schnyder_fronts_layout.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -86,7 +86,7 @@ template <class Mesh>
 double distance_of_query(const Mesh& mesh, const Point& point)
 {
   using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(faces(mesh).first, faces(mesh).second, mesh);
+  CGAL::AABB_tree<example::AABB_traits_3<Kernel, Primitive>> tree(faces(mesh).first, faces(mesh).second, mesh);
   return std::sqrt(tree.squared_distance(point));
 }
 
