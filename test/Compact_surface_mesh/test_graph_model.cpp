@@ -9,13 +9,13 @@
 // algorithms, against Surface_mesh.
 
 #include "bumpy_sphere.h"
+#include "../../examples/Compact_surface_mesh/names_of_cgal_6.h"
 
 #include <CGAL/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -205,6 +205,12 @@ TYPED_TEST(Graph_model, is_valid_by_all_accounts)
   EXPECT_EQ(num_faces(mesh), this->source.number_of_faces());
   EXPECT_FALSE(mesh.is_valid(typename TestFixture::V(mesh.num_vertices()), false));
   EXPECT_FALSE(mesh.is_valid(typename TestFixture::F(), false));
+  EXPECT_TRUE(CGAL::is_valid_vertex_descriptor(*vertices(mesh).begin(), mesh));
+  EXPECT_TRUE(CGAL::is_valid_edge_descriptor(*edges(mesh).begin(), mesh));
+  EXPECT_FALSE(CGAL::is_valid_vertex_descriptor(typename TestFixture::V(mesh.num_vertices()), mesh));
+  EXPECT_FALSE(CGAL::is_valid_halfedge_descriptor(typename TestFixture::H(), mesh));
+  EXPECT_FALSE(CGAL::is_valid_edge_descriptor(typename TestFixture::E(), mesh));
+  EXPECT_FALSE(CGAL::is_valid_face_descriptor(typename TestFixture::F(mesh.num_faces() + 7), mesh));
 }
 
 // A layout of which one operator lies.
@@ -344,8 +350,8 @@ TYPED_TEST(Graph_model, algorithms_agree_with_surface_mesh)
 
   using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
   using Source_primitive = CGAL::AABB_face_graph_triangle_primitive<Surface_mesh>;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive> > tree(faces(mesh).first, faces(mesh).second, mesh);
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Source_primitive> > source_tree(
+  CGAL::AABB_tree<example::AABB_traits_3<Kernel, Primitive> > tree(faces(mesh).first, faces(mesh).second, mesh);
+  CGAL::AABB_tree<example::AABB_traits_3<Kernel, Source_primitive> > source_tree(
       faces(this->source).first, faces(this->source).second, this->source);
   for (int i = 0; i < 20; ++i) {
     const Point query(std::cos(i), std::sin(3 * i), std::sin(5 * i));

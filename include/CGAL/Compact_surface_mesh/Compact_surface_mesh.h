@@ -21,6 +21,7 @@
 #include <CGAL/Compact_surface_mesh/internal/Fixed_connectivity.h>
 #include <CGAL/Compact_surface_mesh/internal/Mesh_construction.h>
 #include <CGAL/Compact_surface_mesh/internal/Validity_check.h>
+#include <CGAL/Compact_surface_mesh/internal/versions_of_cgal.h>
 #include <CGAL/Compact_surface_mesh/layouts/Schnyder_parents_layout.h>
 #include <CGAL/Compact_surface_mesh/parameters.h>
 
@@ -510,14 +511,18 @@ public:
   bool has_valid_index(Descriptor<Tag> d) const { return d.idx() < number_of(Tag()); }
 
   /// checks all of the connectivity, in linear time.
-  /// \param verbose whether to print the first error to `std::cerr`
-  bool is_valid(bool verbose = true) const { return internal::Validity_check<Self>(*this, verbose)(); }
+  /// \param verbose whether to print the first error to `std::cerr`; as for `Surface_mesh`, the default is `false`
+  ///   from \cgal 6 on, and `true` before
+  bool is_valid(bool verbose = !internal::is_with_cgal_6) const
+  {
+    return internal::Validity_check<Self>(*this, verbose)();
+  }
 
   /// checks what the neighbors of `d` say of `d`, which may be any descriptor.
   /// \param d the descriptor
-  /// \param verbose whether to print the first error to `std::cerr`
+  /// \param verbose whether to print the first error to `std::cerr`; the default is that of the function above
   template <class Tag>
-  bool is_valid(Descriptor<Tag> d, bool verbose = true) const
+  bool is_valid(Descriptor<Tag> d, bool verbose = !internal::is_with_cgal_6) const
   {
     return internal::Validity_check<Self>(*this, verbose)(d);
   }

@@ -305,6 +305,40 @@ adjacent_vertices(typename Compact_surface_mesh<P, L>::Vertex_index v, const Com
 
 /// @}
 
+/// \name Validity
+/// As for Surface_mesh in CGAL 6, descriptors of no element are told before anything is asked of them.
+/// @{
+
+template <class P, class L>
+bool is_valid_vertex_descriptor(typename Compact_surface_mesh<P, L>::Vertex_index v,
+                                const Compact_surface_mesh<P, L>& g, bool verbose = false)
+{
+  return g.is_valid(v, verbose);
+}
+
+template <class P, class L>
+bool is_valid_halfedge_descriptor(typename Compact_surface_mesh<P, L>::Halfedge_index h,
+                                  const Compact_surface_mesh<P, L>& g, bool verbose = false)
+{
+  return g.is_valid(h, verbose);
+}
+
+template <class P, class L>
+bool is_valid_edge_descriptor(typename Compact_surface_mesh<P, L>::Edge_index e,
+                              const Compact_surface_mesh<P, L>& g, bool verbose = false)
+{
+  return g.is_valid(e, verbose);
+}
+
+template <class P, class L>
+bool is_valid_face_descriptor(typename Compact_surface_mesh<P, L>::Face_index f,
+                              const Compact_surface_mesh<P, L>& g, bool verbose = false)
+{
+  return g.is_valid(f, verbose);
+}
+
+/// @}
+
 /// does nothing: there is no order of edges to normalize.
 template <class P, class L>
 void normalize_border(const Compact_surface_mesh<P, L>&)
