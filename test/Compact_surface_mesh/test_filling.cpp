@@ -84,6 +84,14 @@ TEST(Generators, make_what_cgal_makes)
   check_generator([&](auto& g) { return CGAL::make_quad(p, q, r, s, g); });
   check_generator([&](auto& g) { return CGAL::make_tetrahedron(p, q, r, u, g); });
   check_generator([&](auto& g) { return CGAL::make_hexahedron(p, q, r, s, t, u, v, w, g); });
+#if CGAL_COMPACT_SURFACE_MESH_WITH_CGAL_6
+  for (const bool is_triangulated : { true, false }) {
+    const auto np = parameters::do_not_triangulate_faces(!is_triangulated);
+    check_generator([&](auto& g) { return CGAL::make_hexahedron(p, q, r, s, t, u, v, w, g, np); });
+    const Kernel::Iso_cuboid_3 cuboid(p, Point(1, 2, 3));
+    check_generator([&](auto& g) { return CGAL::make_hexahedron(cuboid, g, np); });
+  }
+#endif
   check_generator([&](auto& g) { return CGAL::make_icosahedron(g, q, 2); });
   for (const unsigned int n : { 3u, 4u, 11u })
     for (const bool is_closed : { true, false }) {
@@ -221,6 +229,48 @@ TEST(Polygon_soup, takes_the_named_parameters_of_cgal)
   EXPECT_EQ(test::difference(expected, with_other_points), "");
 }
 
+#if CGAL_COMPACT_SURFACE_MESH_WITH_CGAL_6
+
+// The points of the vertices and the sums of those of the faces, as `fill` tells them by maps and by iterators.
+template <class M, class Fill>
+std::vector<std::pair<std::size_t, Point> > told_by(const Fill& fill)
+{
+  M mesh;
+  std::map<std::size_t, typename M::Vertex_index> vertex_map;
+  std::map<std::size_t, typename M::Face_index> face_map;
+  std::vector<std::pair<std::size_t, typename M::Vertex_index> > vertices;
+  std::vector<std::pair<std::size_t, typename M::Face_index> > faces;
+  fill(mesh, parameters::point_to_vertex_map(boost::make_assoc_property_map(vertex_map))
+               .polygon_to_face_map(boost::make_assoc_property_map(face_map)));
+  mesh.clear();
+  fill(mesh, parameters::point_to_vertex_output_iterator(std::back_inserter(vertices))
+               .polygon_to_face_output_iterator(std::back_inserter(faces)));
+  vertices.insert(vertices.end(), vertex_map.begin(), vertex_map.end());
+  faces.insert(faces.end(), face_map.begin(), face_map.end());
+  std::vector<std::pair<std::size_t, Point> > told;
+  for (const auto& pair : vertices)
+    told.emplace_back(pair.first, mesh.point(pair.second));
+  for (const auto& pair : faces) {
+    Kernel::Vector_3 sum(0, 0, 0);
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(pair.second)))
+      sum = sum + (mesh.point(v) - CGAL::ORIGIN);
+    told.emplace_back(pair.first, CGAL::ORIGIN + sum);
+  }
+  return told;
+}
+
+TEST(Polygon_soup, tells_what_became_of_its_elements_by_the_names_of_cgal_6)
+{
+  const auto fill = [](auto& mesh, const auto& np) { PMP::polygon_soup_to_polygon_mesh(corners, prism, mesh, np); };
+  const auto construct = [](auto& mesh, const auto& np) { mesh = Mesh(corners, prism, np); };
+  const auto expected = told_by<Surface_mesh>(fill);
+  EXPECT_EQ(expected.size(), 2 * (corners.size() + prism.size()));
+  EXPECT_EQ(told_by<Mesh>(fill), expected);
+  EXPECT_EQ(told_by<Mesh>(construct), expected);
+}
+
+#endif
+
 TEST(Polygon_soup, that_is_no_mesh_leaves_the_target_as_it_was)
 {
   Mesh mesh;
@@ -281,10 +331,10 @@ TEST(Copy_face_graph, takes_property_maps_there_and_back)
   CGAL::make_tetrahedron(Point(9, 0, 0), Point(9, 1, 0), Point(8, 0, 0), Point(8, 0, 1), two);
   CGAL::copy_face_graph(mesh, two);
   EXPECT_EQ(two.number_of_faces(), 8u);
-  const auto v_map = two.property_map<Surface_mesh::Vertex_index, int>("v:i");
+  const auto v_map = CGAL::internal::optional_map(two.property_map<Surface_mesh::Vertex_index, int>("v:i")).value();
   int sum = 0;
   for (const auto v : two.vertices())
-    sum += get(v_map.first, v);
+    sum += get(v_map, v);
   EXPECT_EQ(sum, 21);
 }
 

@@ -41,7 +41,8 @@ are on or off. The property maps of `mesh` stay.
 \param polygons the indices in `points` of the vertices of each face, counterclockwise
 \param mesh the mesh to fill; it stays as it was if something is thrown
 \param np_ps `point_map`: a property map from the elements of `points` to points; and all that the constructor of
-  `Compact_surface_mesh` from a soup takes
+  `Compact_surface_mesh` from a soup takes; from \cgal 6 on also by the names `point_to_vertex_output_iterator`,
+  `point_to_vertex_map`, `polygon_to_face_output_iterator` and `polygon_to_face_map`
 \param np_pm `vertex_point_map`: a property map of `mesh` that gets the points in place of `mesh.points()`
 
 \throws Mesh_defect_exception if the soup is no mesh that `Compact_surface_mesh` takes

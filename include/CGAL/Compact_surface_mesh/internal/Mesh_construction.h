@@ -15,6 +15,7 @@
 #include <CGAL/Compact_surface_mesh/Simple_triangulation.h>
 #include <CGAL/Compact_surface_mesh/internal/Input_report.h>
 #include <CGAL/Compact_surface_mesh/internal/numbered_vertices.h>
+#include <CGAL/Compact_surface_mesh/internal/versions_of_cgal.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -27,6 +28,28 @@
 
 namespace CGAL {
 namespace internal {
+
+// Named parameters that have what `np` has by the name From by the name To as well.
+template <class From, class To, class NamedParameters>
+auto renamed_parameter(const NamedParameters& np)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters, From>::value)
+    return np;
+  else {
+    const auto value = parameters::get_parameter(np, From());
+    return Named_function_parameters<std::decay_t<decltype(value)>, To, NamedParameters>(value, np);
+  }
+}
+
+// The names that CGAL 6 has for what polygon soups are told of their elements, as those of the constructor.
+template <class NamedParameters>
+auto soup_parameters(const NamedParameters& np)
+{
+  return renamed_parameter<Polygon_to_face_map, internal_np::face_to_face_map_t>(
+    renamed_parameter<Polygon_to_face_output_iterator, internal_np::face_to_face_output_iterator_t>(
+      renamed_parameter<Point_to_vertex_map, internal_np::vertex_to_vertex_map_t>(
+        renamed_parameter<Point_to_vertex_output_iterator, internal_np::vertex_to_vertex_output_iterator_t>(np))));
+}
 
 // Makes an empty mesh that of an input. The mesh keeps its property maps; if this throws, they may have
 // been resized. Further ones are added by `owner`, the mesh or who answers for it.
@@ -72,8 +95,8 @@ public:
                  const PointMap& point_map)
   {
     const std::size_t n = static_cast<std::size_t>(std::distance(std::begin(points), std::end(points)));
-    construct(Simple_triangulation<Index>(n, polygons), Soup_input<PointRange, PolygonRange>(points, polygons), np,
-              point_map);
+    construct(Simple_triangulation<Index>(n, polygons), Soup_input<PointRange, PolygonRange>(points, polygons),
+              soup_parameters(np), point_map);
   }
 
 private:

@@ -16,12 +16,14 @@
 
 #include <CGAL/Compact_surface_mesh/Compact_surface_mesh.h>
 #include <CGAL/Compact_surface_mesh/internal/Mesh_filling.h>
+#include <CGAL/Compact_surface_mesh/internal/versions_of_cgal.h>
 #include <CGAL/boost/graph/properties_Compact_surface_mesh.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/generators.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
@@ -94,21 +96,56 @@ make_quad(const Point& p0, const Point& p1, const Point& p2, const Point& p3, Co
 /*!
 \ingroup PkgCompactSurfaceMeshRef
 makes the empty mesh `g` a hexahedron with the base `p0`, `p1`, `p2`, `p3`, above which lie `p5`, `p6`, `p7`, `p4`.
-\returns the halfedge of the base from `p0` to `p3`
+\param p0,p1,p2,p3,p4,p5,p6,p7 the points of the vertices
+\param g the mesh
+\param np a sequence of \ref bgl_namedparameters "Named Parameters", of use from \cgal 6 on:
+  `do_not_triangulate_faces`, whose default is `true`; if it is `false`, each face is cut into two triangles
+\returns the halfedge of the base from `p0` to `p3`, or that from `p3` to `p2` if faces are cut
 \throws std::runtime_error if `g` is not empty
 */
-template <class = void, class Point, class P, class L>
+template <class = void, class Point, class NamedParameters = parameters::Default_named_parameters, class P, class L>
 typename Compact_surface_mesh<P, L>::Halfedge_index
 make_hexahedron(const Point& p0, const Point& p1, const Point& p2, const Point& p3, const Point& p4, const Point& p5,
-                const Point& p6, const Point& p7, Compact_surface_mesh<P, L>& g)
+                const Point& p6, const Point& p7, Compact_surface_mesh<P, L>& g,
+                const NamedParameters& np = parameters::default_values())
 {
   const std::size_t above[] = { 5, 6, 7, 4 };
   internal::Faces_of_size<4> faces = { { { 3, 2, 1, 0 } }, { { 4, 5, 6, 7 } } };
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t j = (i + 1) % 4;
-    faces.push_back({ { i, j, above[j], above[i] } });
+    faces.push_back({ { j, above[j], above[i], i } });
   }
-  return internal::fill_with_soup(g, std::array<Point, 8>{ { p0, p1, p2, p3, p4, p5, p6, p7 } }, faces, 0, 3);
+  const std::array<Point, 8> points{ { p0, p1, p2, p3, p4, p5, p6, p7 } };
+  if (parameters::choose_parameter(parameters::get_parameter(np, internal::Do_not_triangulate_faces()), true))
+    return internal::fill_with_soup(g, points, faces, 0, 3);
+  internal::Faces_of_size<3> triangles;
+  for (const auto& f : faces) {
+    triangles.push_back({ { f[0], f[1], f[2] } });
+    triangles.push_back({ { f[0], f[2], f[3] } });
+  }
+  return internal::fill_with_soup(g, points, triangles, 3, 2);
+}
+
+/*!
+\ingroup PkgCompactSurfaceMeshRef
+makes the empty mesh `g` the hexahedron `cuboid`.
+\param cuboid an `Iso_cuboid_3` of any kernel
+\param g the mesh
+\param np as for the function above, and `geom_traits`: a model of `Kernel` that constructs the vertices of `cuboid`
+\returns as the function above
+\throws std::runtime_error if `g` is not empty
+*/
+template <class IsoCuboid, class = void, class NamedParameters = parameters::Default_named_parameters, class P, class L>
+typename Compact_surface_mesh<P, L>::Halfedge_index
+make_hexahedron(const IsoCuboid& cuboid, Compact_surface_mesh<P, L>& g,
+                const NamedParameters& np = parameters::default_values())
+{
+  using Traits = typename GetGeomTraits<Compact_surface_mesh<P, L>, NamedParameters>::type;
+  const Traits traits = parameters::choose_parameter<Traits>(
+    parameters::get_parameter(np, internal_np::geom_traits));
+  const auto vertex = traits.construct_vertex_3_object();
+  return make_hexahedron(vertex(cuboid, 0), vertex(cuboid, 1), vertex(cuboid, 2), vertex(cuboid, 3),
+                         vertex(cuboid, 4), vertex(cuboid, 5), vertex(cuboid, 6), vertex(cuboid, 7), g, np);
 }
 
 /*!
