@@ -197,6 +197,19 @@ struct Mesh_files
     add_map<Element, float>(mesh, prefix + "float", 0.5f, -1.25f);
     add_map<Element, double>(mesh, prefix + "double", 0.125, 1024.);
     add_map<Element, bool>(mesh, prefix + "not_written", true, false);
+    // written by CGAL 6; Surface_mesh prints bytes in lists as letters
+    add_list<Element, std::int16_t>(mesh, prefix + "int16_list", -30000, 5);
+    add_list<Element, std::uint16_t>(mesh, prefix + "uint16_list", 65535, 0);
+    add_list<Element, std::int32_t>(mesh, prefix + "int32_list", -2000000000, 1);
+    add_list<Element, std::uint32_t>(mesh, prefix + "uint32_list", 4000000000u, 2);
+    add_list<Element, float>(mesh, prefix + "float_list", 0.5f, -1.25f);
+    add_list<Element, double>(mesh, prefix + "double_list", 0.125, 1024.);
+  }
+
+  template <class Element, class T, class Any_mesh>
+  static void add_list(Any_mesh& mesh, const std::string& name, T a, T b)
+  {
+    add_map<Element, std::vector<T> >(mesh, name, { a, b, a }, { b });
   }
 
   template <class Any_mesh>

@@ -130,7 +130,8 @@ bool read_PLY_with_properties(std::istream& is, Mesh& mesh, std::string& comment
     take_colors(file.faces, soup.face_colors);
     const PLY_vertex_pairs edge_ends(file.edges, { "vertex1", "vertex2" }, { "v0", "v1" }, soup.points.size());
     const PLY_vertex_pairs halfedge_ends(file.halfedges, { "source", "target" }, {}, soup.points.size());
-    soup_filling.fill(soup, soup.face_colors.is_wanted || !file.faces.columns().empty());
+    soup_filling.fill(soup, soup.face_colors.is_wanted || !file.faces.columns().empty()
+                              || !file.faces.lists().empty());
 
     const auto& vertices = soup_filling.vertices;
     const auto halfedge = [&](std::size_t u, std::size_t v) { // null if there is none
@@ -175,7 +176,8 @@ Normals (`nx`, `ny`, `nz`) become the property map `"v:normal"`, colors (`red`, 
 `"v:color"` and `"f:color"`. Each other property that is a number becomes a property map of the type
 that it has in the file, whose name is that of the property with the prefix `v:`, `f:`, `e:` or `h:`. Edges
 are named by the properties `vertex1` and `vertex2`, halfedges by `source` and `target`; those that the mesh
-does not have are ignored. So it is with `Surface_mesh`.
+does not have are ignored. From \cgal 6 on, properties that are lists become property maps of vectors. So it is
+with `Surface_mesh`.
 
 \param is the input stream, opened with `std::ios::binary` for a binary file; its failbit is set on failure
 \param mesh the mesh, which stays as it was on failure
@@ -239,7 +241,7 @@ this is the \link PkgStreamSupportEnumRef mode \endlink of the stream.
 
 The property maps `"v:normal"`, `"v:color"` and `"f:color"`, or those that are given in place of them, become the
 properties that PLY has for them. Other maps are written if their values are numbers, those of 64-bit integers as 32
-bits.
+bits, and from \cgal 6 on also if their values are vectors of numbers of at most 32 bits or `double`.
 
 \param os the output stream, opened with `std::ios::binary` for a binary file
 \param mesh the mesh
@@ -286,11 +288,7 @@ bool write_PLY(std::ostream& os, const Compact_surface_mesh<P, L>& mesh, const s
   for (const auto v : mesh.vertices())
     vertices.print(os, v);
   for (const auto f : mesh.faces()) {
-    const auto degree = mesh.degree(f);
-    if (has_large_faces)
-      internal::print_PLY_number(os, static_cast<std::uint32_t>(degree));
-    else
-      internal::print_PLY_number(os, static_cast<std::uint8_t>(degree));
+    internal::print_PLY_list_size(os, mesh.degree(f), has_large_faces);
     for (const auto v : vertices_around_face(mesh.halfedge(f), mesh))
       print_vertex(v);
     faces.print(os, f);

@@ -13,6 +13,8 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
+#include <CGAL/Compact_surface_mesh/internal/versions_of_cgal.h>
+
 #include <CGAL/IO/Color.h>
 #include <CGAL/IO/io.h>
 
@@ -46,6 +48,11 @@ class PLY_numbers
 public:
   // Throws if `type` is no name of a type.
   explicit PLY_numbers(const std::string& type) : m_values(values_of_type(type)) {}
+
+  std::size_t size() const
+  {
+    return std::visit([](const auto& values) { return values.size(); }, m_values);
+  }
 
   template <class T>
   bool have_type() const { return std::holds_alternative<std::vector<T> >(m_values); }
@@ -90,6 +97,27 @@ struct PLY_column
   std::string name;
   PLY_numbers numbers;
   std::optional<PLY_numbers> list_size; // where each value is a list
+  std::vector<std::size_t> list_ends;   // the number of numbers up to the end of each list
+
+  // Calls visit(values) with the vector of all values: numbers, or vectors of them.
+  template <class Visitor>
+  void visit(const Visitor& visitor) const
+  {
+    numbers.visit([&](const auto& values) {
+      if (!list_size)
+        visitor(values);
+      else if constexpr (CGAL::internal::is_with_cgal_6) {
+        std::vector<std::decay_t<decltype(values)> > lists;
+        std::ptrdiff_t begin = 0;
+        for (const std::size_t list_end : list_ends) {
+          const std::ptrdiff_t end = static_cast<std::ptrdiff_t>(list_end);
+          lists.emplace_back(values.begin() + begin, values.begin() + end);
+          begin = end;
+        }
+        visitor(lists);
+      }
+    });
+  }
 };
 
 // The numbers of a stream. Throws if something is no number, or missing.
@@ -110,16 +138,19 @@ public:
     });
   }
 
+  // Appends the next list to a column of lists.
+  void append_list_to(PLY_column& column)
+  {
+    for (std::int64_t size = size_of_list(column); size != 0; --size)
+      append_to(column.numbers);
+    column.list_ends.push_back(column.numbers.size());
+  }
+
   // Returns the next value of a column of lists, empty if it is not of integers.
   std::vector<std::size_t> list(const PLY_column& column)
   {
     std::vector<std::size_t> result;
-    std::int64_t size = 0;
-    column.list_size->visit([&](const auto& sizes) {
-      size = static_cast<std::int64_t>(read<typename std::decay_t<decltype(sizes)>::value_type>());
-    });
-    if (size < 0)
-      throw std::runtime_error("a list has a negative length");
+    std::int64_t size = size_of_list(column);
     column.numbers.visit([&](const auto& values) {
       using T = typename std::decay_t<decltype(values)>::value_type;
       for (; size != 0; --size) {
@@ -132,6 +163,17 @@ public:
   }
 
 private:
+  std::int64_t size_of_list(const PLY_column& column)
+  {
+    std::int64_t size = 0;
+    column.list_size->visit([&](const auto& sizes) {
+      size = static_cast<std::int64_t>(read<typename std::decay_t<decltype(sizes)>::value_type>());
+    });
+    if (size < 0)
+      throw std::runtime_error("a list has a negative length");
+    return size;
+  }
+
   template <class T>
   T read()
   {
@@ -164,7 +206,8 @@ private:
 class PLY_table
 {
 public:
-  // Appends the lists of vertices to `polygons`. Of properties with the same name, the first one counts.
+  // Appends the lists of vertices to `polygons`. Of properties with the same name, the first one counts. Other lists
+  // are properties in CGAL 6, and nothing before.
   void read(PLY_input& input, std::vector<PLY_column> columns, std::size_t size,
             std::vector<std::vector<std::size_t> >& polygons)
   {
@@ -181,19 +224,25 @@ public:
           input.append_to(it->numbers);
         else if (it == polygon_column)
           polygons.push_back(input.list(*it));
+        else if (CGAL::internal::is_with_cgal_6)
+          input.append_list_to(*it);
         else
           input.list(*it);
       }
-    for (PLY_column& column : columns)
-      if (!column.list_size && !has(column.name))
-        m_columns.push_back(std::move(column));
+    for (auto it = columns.begin(); it != columns.end(); ++it) {
+      std::vector<PLY_column>& kept = it->list_size ? m_lists : m_columns;
+      if (it != polygon_column && (!it->list_size || CGAL::internal::is_with_cgal_6) && !has(kept, it->name))
+        kept.push_back(std::move(*it));
+    }
   }
 
   std::size_t size() const { return m_size; }
   // The properties that are numbers and were not taken.
   const std::vector<PLY_column>& columns() const { return m_columns; }
+  // The properties that are lists.
+  const std::vector<PLY_column>& lists() const { return m_lists; }
 
-  bool has(const std::string& name) const { return find(name) != m_columns.end(); }
+  bool has(const std::string& name) const { return has(m_columns, name); }
 
   // Takes columns out of the table, and returns none if there are not all of them.
   std::vector<PLY_column> take(std::initializer_list<const char*> names)
@@ -202,7 +251,7 @@ public:
     if (!std::all_of(names.begin(), names.end(), [this](const char* name) { return has(name); }))
       return taken;
     for (const char* name : names) {
-      const auto it = m_columns.begin() + (find(name) - m_columns.cbegin());
+      const auto it = m_columns.begin() + (find(m_columns, name) - m_columns.cbegin());
       taken.push_back(std::move(*it));
       m_columns.erase(it);
     }
@@ -231,21 +280,26 @@ public:
   }
 
 private:
-  std::vector<PLY_column>::const_iterator find(const std::string& name) const
+  static std::vector<PLY_column>::const_iterator find(const std::vector<PLY_column>& columns, const std::string& name)
   {
-    return std::find_if(m_columns.begin(), m_columns.end(),
+    return std::find_if(columns.begin(), columns.end(),
                         [&](const PLY_column& column) { return column.name == name; });
+  }
+
+  static bool has(const std::vector<PLY_column>& columns, const std::string& name)
+  {
+    return find(columns, name) != columns.end();
   }
 
   template <class T>
   bool have_type(std::initializer_list<const char*> names) const
   {
     return std::all_of(names.begin(), names.end(), [this](const char* name) {
-      return has(name) && find(name)->numbers.template have_type<T>();
+      return has(name) && find(m_columns, name)->numbers.template have_type<T>();
     });
   }
 
-  std::vector<PLY_column> m_columns;
+  std::vector<PLY_column> m_columns, m_lists;
   std::size_t m_size = 0;
   bool m_is_read = false;
 };
@@ -310,7 +364,7 @@ private:
       words >> size_type >> type;
     if (!(words >> name))
       throw std::runtime_error("the header has a property without a type or a name");
-    PLY_column result{ name, PLY_numbers(type), std::nullopt };
+    PLY_column result{ name, PLY_numbers(type), std::nullopt, {} };
     if (!size_type.empty())
       result.list_size.emplace(size_type);
     if (result.list_size && !result.list_size->are_integers())

@@ -15,6 +15,7 @@
 #include <CGAL/Compact_surface_mesh/IO/internal/PLY_file.h>
 #include <CGAL/Compact_surface_mesh/IO/internal/read_mesh.h>
 #include <CGAL/Compact_surface_mesh/internal/Mesh_filling.h>
+#include <CGAL/Compact_surface_mesh/internal/versions_of_cgal.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/IO/PLY.h>
@@ -30,6 +31,7 @@
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <limits>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -46,14 +48,15 @@ template <class Mesh, class Element>
 void store_properties(Mesh_filling<Mesh>& filling, const PLY_table& table, const std::string& prefix,
                       const std::vector<Element>& elements)
 {
-  for (const PLY_column& column : table.columns())
-    column.numbers.visit([&](const auto& values) {
-      using T = typename std::decay_t<decltype(values)>::value_type;
-      const auto map = filling.template add_property_map<Element, T>(prefix + column.name).first;
-      for (std::size_t i = 0; i < elements.size(); ++i)
-        if (elements[i].is_valid())
-          put(map, elements[i], values[i]);
-    });
+  for (const std::vector<PLY_column>* const columns : { &table.columns(), &table.lists() })
+    for (const PLY_column& column : *columns)
+      column.visit([&](const auto& values) {
+        using T = typename std::decay_t<decltype(values)>::value_type;
+        const auto map = filling.template add_property_map<Element, T>(prefix + column.name).first;
+        for (std::size_t i = 0; i < elements.size(); ++i)
+          if (elements[i].is_valid())
+            put(map, elements[i], values[i]);
+      });
 }
 
 // Prints a number and, in text, a space.
@@ -64,6 +67,15 @@ void print_PLY_number(std::ostream& os, T value)
     os.write(reinterpret_cast<const char*>(&value), sizeof(value));
   else
     os << +value << ' '; // a byte as a number
+}
+
+// Prints the number of elements of a list, as one byte if the lists are not long.
+inline void print_PLY_list_size(std::ostream& os, std::size_t size, bool are_long)
+{
+  if (are_long)
+    print_PLY_number(os, static_cast<std::uint32_t>(size));
+  else
+    print_PLY_number(os, static_cast<std::uint8_t>(size));
 }
 
 template <class Number, class T>
@@ -116,7 +128,12 @@ public:
           || add_number<std::int32_t>(name, short_name) || add_number<std::uint32_t>(name, short_name)
           || add_number<std::int64_t, std::int32_t>(name, short_name)
           || add_number<std::uint64_t, std::uint32_t>(name, short_name)
-          || add_number<float>(name, short_name) || add_number<double>(name, short_name);
+          || add_number<float>(name, short_name) || add_number<double>(name, short_name)
+          || (CGAL::internal::is_with_cgal_6
+              && (add_list<std::int8_t>(name, short_name) || add_list<std::uint8_t>(name, short_name)
+                  || add_list<std::int16_t>(name, short_name) || add_list<std::uint16_t>(name, short_name)
+                  || add_list<std::int32_t>(name, short_name) || add_list<std::uint32_t>(name, short_name)
+                  || add_list<float>(name, short_name) || add_list<double>(name, short_name)));
     }
   }
 
@@ -199,6 +216,28 @@ private:
     property_header(m_header, PLY_property<Written>(short_name.c_str()));
     m_printers.push_back([map](std::ostream& os, const Element& element) {
       print_PLY_number(os, static_cast<Written>(get(map, element)));
+    });
+    return true;
+  }
+
+  // Adds the map `name` if its values are vectors of numbers of type T.
+  template <class T>
+  bool add_list(const std::string& name, const std::string& short_name)
+  {
+    const auto map = m_mesh.template find_property_map<Element, std::vector<T> >(name);
+    if (!map)
+      return false;
+    const bool has_long_lists = std::any_of(map.begin(), map.end(), [](const std::vector<T>& list) {
+      return list.size() > (std::numeric_limits<std::uint8_t>::max)();
+    });
+    m_header << "property list " << (has_long_lists ? "uint " : "uchar ");
+    property_header_type<T>(m_header);
+    m_header << ' ' << short_name << '\n';
+    m_printers.push_back([map, has_long_lists](std::ostream& os, const Element& element) {
+      const std::vector<T>& list = get(map, element);
+      print_PLY_list_size(os, list.size(), has_long_lists);
+      for (const T number : list)
+        print_PLY_number(os, number);
     });
     return true;
   }
