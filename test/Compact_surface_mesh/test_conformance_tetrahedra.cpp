@@ -9,6 +9,8 @@
 
 #include "conformance_answers.h"
 
+#include <CGAL/Compact_surface_mesh/internal/versions_of_cgal.h>
+
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
@@ -16,6 +18,10 @@
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/make_mesh_3.h>
 #include <CGAL/refine_mesh_3.h>
+
+#if CGAL_COMPACT_SURFACE_MESH_WITH_CGAL_6
+#include <CGAL/Polygon_mesh_processing/surface_Delaunay_remeshing.h>
+#endif
 
 #include <gtest/gtest.h>
 
@@ -88,5 +94,23 @@ TEST(Conformance_tetrahedra, in_a_domain_with_features)
     return add_complex(answer, complex);
   });
 }
+
+#if CGAL_COMPACT_SURFACE_MESH_WITH_CGAL_6
+
+TEST(Conformance_tetrahedra, remeshed_surfaces)
+{
+  expect_same_answers_in_same_order({&test::sphere_pair(), &test::borders_pair()}, [](const auto& m) {
+    typedef Mesh_of<decltype(m)> Mesh;
+    CGAL::get_default_random() = CGAL::Random(1);
+    const auto result = CGAL::Polygon_mesh_processing::surface_Delaunay_remeshing<Mesh, test::Surface_mesh>(
+      m.mesh, parameters::mesh_edge_size(0.4).mesh_facet_distance(0.05).features_angle_bound(60.));
+    EXPECT_GT(num_faces(result), 0u);
+    std::vector<Point> points(result.points().begin(), result.points().end());
+    std::sort(points.begin(), points.end());
+    return Answer() << num_faces(result) << points;
+  });
+}
+
+#endif
 
 } // namespace
