@@ -13,7 +13,7 @@
 # Names that CGAL gives to types of meshes; whole words, as in TriangleMesh2, Triangle_mesh, TM1.
 function is_mesh_type(type)
 {
-  return type ~ /^(Triangle|Polygon|Input|Output|Source|Target|Seam)?_?[Mm]esh(Range)?_?[0-9AB]*$/ \
+  return type ~ /^(Input|Output|Source|Target|Seam)?(Triangle|Polygon)?_?[Mm]esh(Range|In|Out)?_?[0-9AB]*$/ \
     || type ~ /^(Face|FaceList|Halfedge|HalfedgeList|EdgeList|VertexList|Input|Orig|AL_)?_?[Gg]raph(Range)?_?[0-9]*$/ \
     || type ~ /^(Input)?Polyhedron(_3)?_?[0-9]*$/ \
     || type ~ /^(TM|PM|SM|FG|HEG|G|PMesh|Poly|Primal)[0-9]?$/
