@@ -26,7 +26,13 @@ public:
   static std::size_t live() { return m_live; }
   /// most in use at a time since reset_peak()
   static std::size_t peak() { return m_peak; }
-  static void reset_peak() { m_peak = m_live; }
+  /// in the largest block since reset_peak()
+  static std::size_t largest_block() { return m_largest_block; }
+  static void reset_peak()
+  {
+    m_peak = m_live;
+    m_largest_block = 0;
+  }
 
   // In front of each block, as far as its alignment allows, stands its size.
   static void* allocate(std::size_t size, std::size_t alignment)
@@ -38,6 +44,7 @@ public:
     *static_cast<std::size_t*>(memory) = size;
     m_live += size;
     m_peak = (std::max)(m_peak, m_live);
+    m_largest_block = (std::max)(m_largest_block, size);
     return static_cast<char*>(memory) + alignment;
   }
 
@@ -51,7 +58,7 @@ public:
   }
 
 private:
-  static inline std::size_t m_live = 0, m_peak = 0;
+  static inline std::size_t m_live = 0, m_peak = 0, m_largest_block = 0;
 };
 
 } // namespace test
