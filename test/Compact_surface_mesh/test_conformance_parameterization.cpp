@@ -9,6 +9,8 @@
 
 #include "conformance_answers.h"
 
+#include "temporary_file.h"
+
 #include <CGAL/Schnyder_woods/cut_graph.h>
 
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
@@ -17,6 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/Discrete_authalic_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/IO/File_off.h>
 #include <CGAL/Surface_mesh_parameterization/Iterative_authalic_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
@@ -37,6 +40,8 @@
 #include <list>
 #include <map>
 #include <set>
+#include <sstream>
+#include <string>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -252,6 +257,98 @@ TEST(Conformance_parameterization, orbifolds)
     }
     return answer;
   }, test::solving);
+}
+
+// By their indices in a file, in the order of the mesh or in that of a map.
+TEST(Conformance_parameterization, cones_are_read)
+{
+  const test::Temporary_file file(".txt");
+  file.set_bytes("0 60 130 150");
+  const std::string name = file.name();
+  expect_same_answer(test::sphere_pair(), [&](const auto& m) {
+    typedef Mesh_of<decltype(m)> Mesh;
+    std::map<typename Mesh::Vertex_index, int> names;
+    for (const auto v : m.vertices())
+      names[v] = static_cast<int>(m.name(v));
+    std::vector<typename Mesh::Vertex_index> cones;
+    EXPECT_EQ(SMP::read_cones(m.mesh, name.c_str(), boost::make_assoc_property_map(names), std::back_inserter(cones)),
+              SMP::OK);
+    return Answer().on(cones, [&](auto v) { return m.name(v); });
+  });
+  expect_same_answer_in_same_order(test::sphere_pair(), [&](const auto& m) {
+    std::vector<typename Mesh_of<decltype(m)>::Vertex_index> cones;
+    EXPECT_EQ(SMP::read_cones(m.mesh, name.c_str(), std::back_inserter(cones)), SMP::OK);
+    EXPECT_EQ(cones.size(), 4u);
+    return Answer().on(cones, [&](auto v) { return m.name(v); });
+  });
+}
+
+// Which of two cones is the first depends on where the walk along the seam starts.
+TEST(Conformance_parameterization, cones_are_located_in_any_order)
+{
+  expect_same_answer_in_same_order(test::sphere_pair(), [](const auto& m) {
+    typedef std::decay_t<decltype(m)> Named;
+    typedef Mesh_of<Named> Mesh;
+    typedef typename boost::graph_traits<typename Mesh_with_seams<Named>::Seam_mesh>::vertex_descriptor Seam_vertex;
+    const std::vector<typename Mesh::Vertex_index> cones = {m.vertex(0), m.vertex(60), m.vertex(130)};
+    std::list<typename Mesh::Edge_index> seams;
+    SMP::compute_shortest_paths_between_cones(m.mesh, cones.begin(), cones.end(), seams);
+    const auto names = m.names(seams);
+    const Mesh_with_seams<Named> cut(m, std::set<std::size_t>(names.begin(), names.end()));
+    std::unordered_map<Seam_vertex, SMP::Cone_type> types;
+    EXPECT_TRUE(SMP::locate_unordered_cones(cut.seam_mesh, cones.begin(), cones.end(), types));
+    std::multiset<std::pair<std::size_t, int>> found;
+    for (const auto& cone : types)
+      found.insert({m.name(typename Mesh::Halfedge_index(cone.first.hd.tmhd)), static_cast<int>(cone.second)});
+    EXPECT_EQ(found.size(), 4u);
+    return Answer() << found;
+  });
+}
+
+/// The triangles in a file in the format OFF, in ascending order: the corners of each, from the least one on.
+std::multiset<std::vector<double>> triangles_of_off(const std::string& text)
+{
+  std::istringstream in(text);
+  std::string format;
+  std::size_t num_vertices = 0, num_faces = 0, num_edges = 0;
+  in >> format >> num_vertices >> num_faces >> num_edges;
+  std::vector<std::vector<double>> places(num_vertices, std::vector<double>(3));
+  for (auto& place : places)
+    in >> place[0] >> place[1] >> place[2];
+  std::multiset<std::vector<double>> triangles;
+  for (std::size_t f = 0; f < num_faces; ++f) {
+    std::size_t size = 0, corner = 0;
+    in >> size;
+    std::vector<std::vector<double>> corners;
+    for (std::size_t i = 0; i < size && in >> corner; ++i)
+      corners.push_back(places.at(corner));
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    std::vector<double> triangle;
+    for (const auto& place : corners)
+      triangle.insert(triangle.end(), place.begin(), place.end());
+    triangles.insert(triangle);
+  }
+  EXPECT_TRUE(in);
+  return triangles;
+}
+
+TEST(Conformance_parameterization, places_are_written)
+{
+  expect_same_answer(test::disk_pair(), [](const auto& m) {
+    typedef Mesh_of<decltype(m)> Mesh;
+    const Mesh& mesh = m.mesh;
+    std::map<typename Mesh::Vertex_index, Kernel::Point_2> places;
+    for (const auto v : m.vertices())
+      places[v] = Kernel::Point_2(m.point(v).x(), m.point(v).y());
+    const boost::associative_property_map<decltype(places)> uv(places);
+    std::ostringstream of_component, of_all;
+    SMP::IO::output_uvmap_to_off(mesh, first_border_halfedge(m), uv, of_component);
+    SMP::IO::output_uvmap_to_off(mesh, m.vertices(), m.faces(), uv, get(boost::vertex_index, mesh), of_all);
+    const auto triangles = triangles_of_off(of_all.str());
+    EXPECT_EQ(triangles.size(), num_faces(mesh));
+    EXPECT_TRUE(triangles == triangles_of_off(of_component.str()));
+    return Answer() << triangles;
+  }, 0);
 }
 
 } // namespace
