@@ -65,17 +65,6 @@ public:
     return it == m_dead.end() || *it != number ? number : moved(static_cast<std::size_t>(it - m_dead.begin()));
   }
 
-  // Whether a slot is live, likewise.
-  bool is_live(Index slot) const
-  {
-    if (slot < m_count)
-      return !std::binary_search(m_dead.begin(), m_dead.end(), slot);
-    if (m_dead.empty()) // no slot has moved
-      return false;
-    return m_moved.empty() ? !std::binary_search(m_dead_behind.begin(), m_dead_behind.end(), slot)
-                           : std::binary_search(m_moved.begin(), m_moved.end(), slot);
-  }
-
   std::size_t bytes() const
   {
     return (m_dead.capacity() + m_moved.capacity() + m_dead_behind.capacity()) * sizeof(Index);

@@ -142,10 +142,12 @@ public:
 
   std::size_t num_ring_edges() const { return m_rings.size(); }
 
-  // The ring edge of the halfedge that starts at corner c, null if it is none.
-  Index ring_edge(Index c) const
+  // The number of the vertex at corner c: along the rings, or behind them.
+  Index number(Index c) const { return corner_vertex(c); }
+
+  // The ring edge between two vertices with these numbers, null if there is none.
+  Index ring_edge(Index u, Index v) const
   {
-    const Index u = corner_vertex(c), v = corner_vertex(Corner_table<Index>::next(c));
     if (u >= m_rings.size() || v >= m_rings.size())
       return null();
     return next(u) == v ? u : next(v) == u ? v : null();

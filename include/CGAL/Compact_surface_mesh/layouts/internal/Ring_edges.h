@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
+#include <CGAL/Compact_surface_mesh/Corner_table.h>
 #include <CGAL/Compact_surface_mesh/internal/Emptied_on_move.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Filled_slots.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Ranked_edges.h>
@@ -51,8 +52,10 @@ public:
   {
     if (!is_listed())
       return m_ranked.edge(layout, corners, h);
-    const Index e = corners.table().ring_edge(corners.corner(h));
-    return e != null() ? e : m_slots.number(slot(corners, h));
+    const auto& table = corners.table();
+    const Index c = corners.corner(h), u = table.number(c), v = table.number(Table::next(c));
+    const Index e = table.ring_edge(u, v);
+    return e != null() ? e : m_slots.number(m_num_ring_edges + place(corners, h, c, u, v));
   }
 
   template <class Corners>
@@ -74,6 +77,8 @@ public:
   }
 
 private:
+  typedef Corner_table<Index> Table;
+
   static constexpr Index null() { return (std::numeric_limits<Index>::max)(); }
   bool is_listed() const { return m_num_ring_edges != 0; }
 
@@ -89,7 +94,7 @@ private:
     for (Index h = 0; h < corners.num_halfedges(); ++h) {
       const Index g = corners.opposite(h);
       if (h < g && !is_longest_side(corners, h) && !is_longest_side(corners, g)
-          && corners.table().ring_edge(corners.corner(h)) == null())
+          && ring_edge(corners, h) == null())
         m_of_no_triangle.push_back(h);
     }
     const std::size_t num_slots = num_ring_edges + corners.num_faces() + m_of_no_triangle.size();
@@ -103,6 +108,13 @@ private:
     m_num_ring_edges = static_cast<Index>(num_ring_edges);
     m_of_no_triangle.shrink_to_fit();
     return true;
+  }
+
+  template <class Corners>
+  static Index ring_edge(const Corners& corners, Index h)
+  {
+    const Index c = corners.corner(h);
+    return corners.table().ring_edge(corners.table().number(c), corners.table().number(Table::next(c)));
   }
 
   // The side of face f that joins its least and its greatest vertex.
@@ -125,33 +137,30 @@ private:
   static bool has_edge(const Corners& corners, Index f)
   {
     const Index h = longest_side(corners, f);
-    if (corners.table().ring_edge(corners.corner(h)) != null())
+    if (ring_edge(corners, h) != null())
       return false;
     const Index g = corners.opposite(h);
     return !is_longest_side(corners, g) || f < corners.face(g);
   }
 
-  // Whether face f has the edge of h, which is off the ring, and not because another one has it.
+  // Behind the ring edges, the place of the edge of h, from corner c to the next one, with the numbers u and v; it is
+  // off the ring. Who has it, `has_edge()` and `list()` decide alike.
   template <class Corners>
-  bool is_edge_of(const Corners& corners, Index f, Index h) const
+  Index place(const Corners& corners, Index h, Index c, Index u, Index v) const
   {
-    return f != null() && longest_side(corners, f) == h && m_slots.is_live(m_num_ring_edges + f);
-  }
-
-  // Of an edge that is off the ring.
-  template <class Corners>
-  Index slot(const Corners& corners, Index h) const
-  {
-    Index f = corners.face(h);
-    if (is_edge_of(corners, f, h))
-      return m_num_ring_edges + f;
-    const Index g = corners.opposite(h);
-    f = corners.face(g);
-    if (is_edge_of(corners, f, g))
-      return m_num_ring_edges + f;
+    const Index d = corners.table().opposite(c), g = corners.halfedge_at(d);
+    const Index f = corners.face(h), f_of_g = corners.face(g);
+    const auto is_longest = [&](Index face, Index third) { // the third vertex is between
+      if (face == null())
+        return false;
+      const Index w = corners.table().number(third);
+      return (u < w) == (w < v);
+    };
+    const bool of_h = is_longest(f, Table::prev(c)), of_g = is_longest(f_of_g, Table::prev(d));
+    if (of_h || of_g)
+      return of_h && !(of_g && f_of_g < f) ? f : f_of_g;
     const auto it = std::lower_bound(m_of_no_triangle.begin(), m_of_no_triangle.end(), (std::min)(g, h));
-    return static_cast<Index>(m_num_ring_edges + corners.num_faces()
-                              + static_cast<std::size_t>(it - m_of_no_triangle.begin()));
+    return static_cast<Index>(corners.num_faces() + static_cast<std::size_t>(it - m_of_no_triangle.begin()));
   }
 
   Emptied_on_move<Index> m_num_ring_edges; // 0 if bits are ranked
