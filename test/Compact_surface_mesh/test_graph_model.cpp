@@ -310,7 +310,7 @@ TYPED_TEST(Graph_model, stars_agree_however_they_are_walked)
     });
     ASSERT_EQ(num_triangles, degree(v, mesh));
     EXPECT_FALSE(mesh.is_border(v));
-    EXPECT_FALSE(is_border(v, mesh).is_initialized());
+    EXPECT_FALSE(static_cast<bool>(is_border(v, mesh)));
   }
   for (const auto f : mesh.faces()) {
     const auto corners = mesh.vertices_of_face(f);
