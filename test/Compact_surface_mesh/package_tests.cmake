@@ -53,6 +53,22 @@ add_test(NAME package.edits_do_not_compile
     "-DCOMPILER=${CMAKE_CXX_COMPILER}" "-DINCLUDES=${package_dir}/include|${cgal_includes}"
     -P "${CMAKE_CURRENT_SOURCE_DIR}/refused/compile.cmake")
 
+# A second compiler takes the headers without warnings.
+find_program(CLANG NAMES clang++ clang++-14)
+if(CLANG)
+  file(GLOB headers
+    "${package_dir}/include/CGAL/Compact_surface_mesh.h" "${package_dir}/include/CGAL/Schnyder_woods.h"
+    "${package_dir}/include/CGAL/Compact_surface_mesh/layouts/*.h")
+  list(JOIN headers "|" headers)
+  add_test(NAME package.compiles_with_clang
+    COMMAND "${CMAKE_COMMAND}"
+      "-DCOMPILER=${CLANG}" "-DINCLUDE=${package_dir}/include" "-DSYSTEM_INCLUDES=${cgal_includes}"
+      "-DHEADERS=${headers}" "-DPROGRAM=${package_dir}/examples/Compact_surface_mesh/csm_first_program.cpp"
+      -P "${CMAKE_CURRENT_SOURCE_DIR}/second_compiler/compile.cmake")
+else()
+  message(STATUS "clang++ was not found: no second compiler will see the headers.")
+endif()
+
 # All that takes a mesh in the headers of this CGAL is in the manual's table, and the tests that it names exist.
 string(REPLACE "|" ";" cgal_directories "${cgal_includes}|${CGAL_INCLUDE_DIRS}")
 list(REMOVE_DUPLICATES cgal_directories)
