@@ -12,6 +12,7 @@
 #include <CGAL/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/Input_order_layout.h>
 
 #include <CGAL/Convex_hull_traits_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -24,6 +25,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cmath>
@@ -42,9 +44,24 @@ using Mesh = CGAL::Compact_surface_mesh<Point>;
 namespace parameters = CGAL::parameters;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
+// The vertices of each face in turn, from the one with the least number on.
+template <class Graph>
+std::vector<std::vector<std::size_t> > cycles_of_faces(const Graph& g)
+{
+  std::vector<std::vector<std::size_t> > cycles;
+  for (const auto f : faces(g)) {
+    std::vector<std::size_t> cycle;
+    for (const auto v : CGAL::vertices_around_face(halfedge(f, g), g))
+      cycle.push_back(v);
+    std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+    cycles.push_back(cycle);
+  }
+  return cycles;
+}
+
 // Calls make(mesh), which returns a halfedge, for both meshes and compares what there is then.
 template <class Make>
-void check_generator(const Make& make)
+void check_generator(const Make& make, bool has_order_of_faces = true)
 {
   Surface_mesh expected;
   Mesh mesh;
@@ -69,6 +86,12 @@ void check_generator(const Make& make)
     EXPECT_EQ(mesh.point(mesh.source(image)), expected.point(expected.source(h)));
     EXPECT_EQ(mesh.point(mesh.target(image)), expected.point(expected.target(h)));
   }
+  CGAL::Compact_surface_mesh<Point, CGAL::Input_order_layout<CGAL::Schnyder_parents_layout<>,
+                                                             CGAL::Input_order::VERTICES_AND_FACES> > ordered;
+  make(ordered);
+  if (has_order_of_faces) {
+    EXPECT_EQ(cycles_of_faces(ordered), cycles_of_faces(expected));
+  }
   for (const auto v : mesh.vertices())
     EXPECT_EQ(kept[v], 5);
   mesh.remove_property_map(kept);
@@ -87,12 +110,12 @@ TEST(Generators, make_what_cgal_makes)
 #if CGAL_COMPACT_SURFACE_MESH_WITH_CGAL_6
   for (const bool is_triangulated : { true, false }) {
     const auto np = parameters::do_not_triangulate_faces(!is_triangulated);
-    check_generator([&](auto& g) { return CGAL::make_hexahedron(p, q, r, s, t, u, v, w, g, np); });
+    check_generator([&](auto& g) { return CGAL::make_hexahedron(p, q, r, s, t, u, v, w, g, np); }, false);
     const Kernel::Iso_cuboid_3 cuboid(p, Point(1, 2, 3));
-    check_generator([&](auto& g) { return CGAL::make_hexahedron(cuboid, g, np); });
+    check_generator([&](auto& g) { return CGAL::make_hexahedron(cuboid, g, np); }, false);
   }
 #endif
-  check_generator([&](auto& g) { return CGAL::make_icosahedron(g, q, 2); });
+  check_generator([&](auto& g) { return CGAL::make_icosahedron(g, q, 2); }, false);
   for (const unsigned int n : { 3u, 4u, 11u })
     for (const bool is_closed : { true, false }) {
       check_generator([&](auto& g) { return CGAL::make_regular_prism(n, g, q, 3, 2, is_closed); });
@@ -112,7 +135,7 @@ TEST(Generators, take_cgals_template_arguments)
   check_generator([](auto& g) {
     using Graph = std::decay_t<decltype(g)>;
     return CGAL::make_icosahedron<Graph, Point>(g);
-  });
+  }, false);
   check_generator([](auto& g) {
     using Graph = std::decay_t<decltype(g)>;
     return CGAL::make_regular_prism<Graph, Point>(5, g);

@@ -635,4 +635,20 @@ TEST(Derivation, gives_graphs)
   EXPECT_EQ(other.properties<Mesh::Face_index>().size(), 1u);
 }
 
+TEST(Derivation, is_known_to_generators_with_points)
+{
+  const Point p(0, 0, 0), q(1, 0, 0), r(0, 1, 0), s(0, 0, 1);
+  const auto check = [](auto&& make) {
+    Derived_mesh mesh;
+    Mesh expected;
+    EXPECT_EQ(make(mesh), make(expected));
+    EXPECT_EQ(num_halfedges(mesh), num_halfedges(expected));
+    EXPECT_GT(num_faces(mesh), 0u);
+  };
+  check([&](auto& g) { return CGAL::make_triangle(p, q, r, g); });
+  check([&](auto& g) { return CGAL::make_quad(p, q, r, s, g); });
+  check([&](auto& g) { return CGAL::make_tetrahedron(p, q, r, s, g); });
+  check([&](auto& g) { return CGAL::make_hexahedron(p, q, r, s, p, q, r, s, g); });
+}
+
 } // namespace

@@ -5,9 +5,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-// CGAL's generators of small meshes, for a mesh that can be filled but not edited: the same vertices in the same order,
-// the same faces, and the same halfedge as answer. All need an empty mesh. They have the template parameters of CGAL's
-// functions in front, as callers name them where the type of the points cannot be deduced.
+// CGAL's generators of small meshes, for a mesh that can be filled but not edited: the same vertices and faces
+// in the same order, but for the faces of the icosahedron, and the same halfedge as answer. All need an empty mesh.
+// They have the template parameters of CGAL's functions in front, as callers name them where the type of the points
+// cannot be deduced. Those that take nothing but points of a kernel are there for classes that derive from the mesh,
+// too: for such points they are more specialized than CGAL's.
 
 #ifndef CGAL_BOOST_GRAPH_GENERATORS_COMPACT_SURFACE_MESH_H
 #define CGAL_BOOST_GRAPH_GENERATORS_COMPACT_SURFACE_MESH_H
@@ -30,6 +32,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -53,6 +57,20 @@ fill_with_soup(Compact_surface_mesh<P, L>& g, const Points& points, const Faces&
   const std::size_t n = vertices.size();
   return u < n && v < n ? g.halfedge(vertices[u], vertices[v]) : Mesh::null_halfedge();
 }
+
+template <class P, class L>
+Compact_surface_mesh<P, L>& base_mesh(Compact_surface_mesh<P, L>& g)
+{
+  return g;
+}
+
+template <class Derived>
+using Base_mesh = std::remove_reference_t<decltype(base_mesh(std::declval<Derived&>()))>;
+
+// The answer of a generator for a class that derives from the mesh; nothing for others.
+template <class Derived>
+using Halfedge_of_derived =
+  std::enable_if_t<!std::is_same<Derived, Base_mesh<Derived> >::value, typename Base_mesh<Derived>::Halfedge_index>;
 
 // The i-th of n points of a horizontal circle, clockwise as seen from above, from that with the largest x on.
 template <class Point, class FT>
@@ -79,6 +97,15 @@ make_triangle(const Point& p0, const Point& p1, const Point& p2, Compact_surface
                                   internal::Faces_of_size<3>{ { { 0, 1, 2 } } }, 2, 0);
 }
 
+#ifndef DOXYGEN_RUNNING
+template <class Derived, template <class> class Kernel_point, class K>
+internal::Halfedge_of_derived<Derived>
+make_triangle(const Kernel_point<K>& p0, const Kernel_point<K>& p1, const Kernel_point<K>& p2, Derived& g)
+{
+  return make_triangle(p0, p1, p2, internal::base_mesh(g));
+}
+#endif
+
 /*!
 \ingroup PkgCompactSurfaceMeshRef
 makes the empty mesh `g` a face with four sides.
@@ -92,6 +119,16 @@ make_quad(const Point& p0, const Point& p1, const Point& p2, const Point& p3, Co
   return internal::fill_with_soup(g, std::array<Point, 4>{ { p0, p1, p2, p3 } },
                                   internal::Faces_of_size<4>{ { { 0, 1, 2, 3 } } }, 3, 0);
 }
+
+#ifndef DOXYGEN_RUNNING
+template <class Derived, template <class> class Kernel_point, class K>
+internal::Halfedge_of_derived<Derived>
+make_quad(const Kernel_point<K>& p0, const Kernel_point<K>& p1, const Kernel_point<K>& p2,
+          const Kernel_point<K>& p3, Derived& g)
+{
+  return make_quad(p0, p1, p2, p3, internal::base_mesh(g));
+}
+#endif
 
 /*!
 \ingroup PkgCompactSurfaceMeshRef
@@ -110,8 +147,8 @@ make_hexahedron(const Point& p0, const Point& p1, const Point& p2, const Point& 
                 const NamedParameters& np = parameters::default_values())
 {
   const std::size_t above[] = { 5, 6, 7, 4 };
-  internal::Faces_of_size<4> faces = { { { 3, 2, 1, 0 } }, { { 4, 5, 6, 7 } } };
-  for (std::size_t i = 0; i < 4; ++i) {
+  internal::Faces_of_size<4> faces = { { { 4, 5, 6, 7 } }, { { 3, 2, 1, 0 } } };
+  for (const std::size_t i : { 1, 0, 3, 2 }) {
     const std::size_t j = (i + 1) % 4;
     faces.push_back({ { j, above[j], above[i], i } });
   }
@@ -148,6 +185,17 @@ make_hexahedron(const IsoCuboid& cuboid, Compact_surface_mesh<P, L>& g,
                          vertex(cuboid, 4), vertex(cuboid, 5), vertex(cuboid, 6), vertex(cuboid, 7), g, np);
 }
 
+#ifndef DOXYGEN_RUNNING
+template <class Derived, template <class> class Kernel_point, class K>
+internal::Halfedge_of_derived<Derived>
+make_hexahedron(const Kernel_point<K>& p0, const Kernel_point<K>& p1, const Kernel_point<K>& p2,
+                const Kernel_point<K>& p3, const Kernel_point<K>& p4, const Kernel_point<K>& p5,
+                const Kernel_point<K>& p6, const Kernel_point<K>& p7, Derived& g)
+{
+  return make_hexahedron(p0, p1, p2, p3, p4, p5, p6, p7, internal::base_mesh(g));
+}
+#endif
+
 /*!
 \ingroup PkgCompactSurfaceMeshRef
 makes the empty mesh `g` a tetrahedron, which is oriented outward if `p3` lies on the positive side of the plane through
@@ -159,9 +207,19 @@ template <class = void, class Point, class P, class L>
 typename Compact_surface_mesh<P, L>::Halfedge_index
 make_tetrahedron(const Point& p0, const Point& p1, const Point& p2, const Point& p3, Compact_surface_mesh<P, L>& g)
 {
-  const internal::Faces_of_size<3> faces = { { { 2, 1, 0 } }, { { 0, 1, 3 } }, { { 1, 2, 3 } }, { { 2, 0, 3 } } };
+  const internal::Faces_of_size<3> faces = { { { 2, 1, 0 } }, { { 0, 3, 2 } }, { { 2, 3, 1 } }, { { 1, 3, 0 } } };
   return internal::fill_with_soup(g, std::array<Point, 4>{ { p0, p1, p2, p3 } }, faces, 1, 0);
 }
+
+#ifndef DOXYGEN_RUNNING
+template <class Derived, template <class> class Kernel_point, class K>
+internal::Halfedge_of_derived<Derived>
+make_tetrahedron(const Kernel_point<K>& p0, const Kernel_point<K>& p1, const Kernel_point<K>& p2,
+                 const Kernel_point<K>& p3, Derived& g)
+{
+  return make_tetrahedron(p0, p1, p2, p3, internal::base_mesh(g));
+}
+#endif
 
 /*!
 \ingroup PkgCompactSurfaceMeshRef
