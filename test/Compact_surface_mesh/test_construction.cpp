@@ -33,6 +33,7 @@ inline std::size_t num_steps = 0; // of all walks along the lists of a vertex
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/use.h>
 
 #include <gtest/gtest.h>
 
@@ -225,6 +226,7 @@ std::size_t longest_walk(const Layout& layout)
     walk([&] { sink = layout.halfedge_of_face(f); }, longest);
     walk([&] { sink = layout.vertices_of_face(f)[0]; }, longest);
   }
+  CGAL_USE(sink);
   return longest;
 }
 
@@ -305,6 +307,7 @@ std::size_t longest_walk_to_target(const Soup& soup)
   volatile std::uint32_t sink = 0;
   for (std::uint32_t h = 0; h < layout.num_halfedges(); ++h)
     walk([&] { sink = layout.target(h); }, longest);
+  CGAL_USE(sink);
   EXPECT_LE(longest, Layout::max_walk_length());
   return longest;
 }
