@@ -14,6 +14,7 @@
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
 #include <CGAL/Compact_surface_mesh/Input_images.h>
 #include <CGAL/Compact_surface_mesh/internal/Emptied_on_move.h>
+#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Bordered_corners.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Corner_layout.h>
 
@@ -78,7 +79,7 @@ public:
 private:
   Table m_table;
   Emptied_on_move<std::size_t> m_num_vertices;
-  std::vector<Index> m_halfedge; // one with target v, on a border if there is one
+  internal::Large_array<Index> m_halfedge; // one with target v, on a border if there is one
 };
 
 } // namespace internal

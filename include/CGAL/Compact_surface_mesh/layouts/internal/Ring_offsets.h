@@ -12,6 +12,7 @@
 
 #include <CGAL/Compact_surface_mesh/Mesh_defect_exception.h>
 #include <CGAL/Compact_surface_mesh/internal/Emptied_on_move.h>
+#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Ring_triangles.h>
 
 #include <algorithm>
@@ -182,7 +183,7 @@ private:
   std::size_t place(std::size_t slot) const { return static_cast<std::size_t>(word(slot) / 16 * 2); }
 
   Emptied_on_move<Index> m_ring_size, m_apex;
-  std::vector<Entry> m_entries;
+  Large_array<Entry> m_entries;
   std::vector<Index> m_long;
 };
 

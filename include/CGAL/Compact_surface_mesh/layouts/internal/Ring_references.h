@@ -11,6 +11,7 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/Mesh_defect_exception.h>
+#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Ring_triangles.h>
 
 #include <algorithm>
@@ -92,7 +93,8 @@ private:
     return count;
   }
 
-  std::vector<Index> m_entries, m_irregular;
+  Large_array<Index> m_entries;
+  std::vector<Index> m_irregular;
 };
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
 #include <CGAL/Compact_surface_mesh/internal/Emptied_on_move.h>
+#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Bordered_corners.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Matched_triangles.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Paired_triangles.h>
@@ -137,7 +138,7 @@ private:
   BOOST_FORCEINLINE auto with_opposite(Index c, const Implied& implied, const Stored& stored,
                                        const Elsewhere& elsewhere) const
   {
-    if (!paired)
+    if constexpr (!paired)
       return c < 3 * m_num_faces ? stored(c) : elsewhere(c);
     const Index t = c / 3, i = c % 3;
     if (t < m_num_quads)
@@ -317,7 +318,7 @@ private:
   Emptied_on_move<Index> m_first_on_border;               // s
   Emptied_on_move<Index> m_num_with_face;                 // m
   Emptied_on_move<Index> m_first_copy, m_num_matched;     // all that have a triangle, and with copies: n
-  std::vector<Index> m_opposite;
+  Large_array<Index> m_opposite;
   std::vector<Index> m_copies;           // the vertices that they are copies of
   std::vector<Index> m_without_triangle; // the first halfedge into each vertex without triangle, sorted
 };
