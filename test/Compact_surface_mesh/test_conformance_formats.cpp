@@ -6,7 +6,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
 // Files of the formats that need libraries, VTK and lib3mf, on both meshes of each pair. Where a library was not found,
-// its tests are skipped.
+// its tests are skipped or not there.
 
 #include "conformance_answers.h"
 

@@ -206,7 +206,9 @@ TYPED_TEST(Graph_model, is_valid_by_all_accounts)
   EXPECT_FALSE(mesh.is_valid(typename TestFixture::V(mesh.num_vertices()), false));
   EXPECT_FALSE(mesh.is_valid(typename TestFixture::F(), false));
   EXPECT_TRUE(CGAL::is_valid_vertex_descriptor(*vertices(mesh).begin(), mesh));
+  EXPECT_TRUE(CGAL::is_valid_halfedge_descriptor(*halfedges(mesh).begin(), mesh));
   EXPECT_TRUE(CGAL::is_valid_edge_descriptor(*edges(mesh).begin(), mesh));
+  EXPECT_TRUE(CGAL::is_valid_face_descriptor(*faces(mesh).begin(), mesh));
   EXPECT_FALSE(CGAL::is_valid_vertex_descriptor(typename TestFixture::V(mesh.num_vertices()), mesh));
   EXPECT_FALSE(CGAL::is_valid_halfedge_descriptor(typename TestFixture::H(), mesh));
   EXPECT_FALSE(CGAL::is_valid_edge_descriptor(typename TestFixture::E(), mesh));

@@ -266,8 +266,8 @@ TEST(References, of_real_meshes_are_six_and_little_more_than_four_a_vertex)
     GTEST_SKIP() << "CGAL's meshes are not there: run scripts/fetch_meshes";
   std::cout << std::fixed << std::setprecision(3);
   const bool all = test::scaled(1000) >= 1000;
-  for (const std::string name : {"cow", "elephant", "armadillo", "bear", "bull", "bunny00", "camel", "diplodocus", "hand",
-                                 "homer", "lion", "man", "nefertiti", "pig"}) {
+  for (const std::string name : {"cow", "elephant", "armadillo", "bear", "bull", "bunny00", "camel", "diplodocus",
+                                 "hand", "homer", "lion", "man", "nefertiti", "pig"}) {
     const test::Soup soup = test::real_mesh(name + ".off");
     const double n = soup.num_vertices;
     if (!all && n > 5000)
