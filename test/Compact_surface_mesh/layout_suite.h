@@ -125,7 +125,7 @@ TYPED_TEST_P(Layouts, agree_with_the_corner_table_on_stacked_triangulations_and_
 {
   const std::uint32_t n = static_cast<std::uint32_t>(scaled(100000));
   EXPECT_EQ(difference<TypeParam>(stacked_triangulation(n, 1)), "");
-  const std::uint32_t m = Walks_to_targets<TypeParam>::value ? (std::min)(n, 2000u) : n;
+  const std::uint32_t m = Walks_to_targets<TypeParam>::value ? static_cast<std::uint32_t>(scaled(1900) + 100) : n;
   EXPECT_EQ(difference<TypeParam>(stacked_at_hub(m)), "");
   EXPECT_EQ(difference<TypeParam>(double_wheel(m)), "");
   // families and lists around the lengths at which they move to the side table
@@ -162,7 +162,8 @@ TYPED_TEST_P(Layouts, are_right_on_random_closed_surfaces)
     const Soup soup = closed_surface(genus, 8 * genus + 12 + seed % 20, seed);
     ASSERT_EQ(All_woods<TypeParam>::difference(soup.num_vertices, soup.triangles), "") << "seed " << seed;
   }
-  const Soup large = closed_surface(200, 3000, 1);
+  const std::uint32_t many = static_cast<std::uint32_t>(scaled(180)) + 20;
+  const Soup large = closed_surface(many, 15 * many, 1);
   ASSERT_EQ(All_woods<TypeParam>::difference(large.num_vertices, large.triangles), "");
 }
 
