@@ -75,7 +75,7 @@ list(REMOVE_DUPLICATES cgal_directories)
 add_test(NAME package.entry_points
   COMMAND "${CMAKE_CURRENT_SOURCE_DIR}/entry_points/entry_points" check ${cgal_directories})
 
-# CGAL's own examples with the name of the mesh replaced: a few quick ones, and all among the long tests.
+# CGAL's own examples with the name of the mesh replaced run among the long tests.
 get_filename_component(cgal_examples "${CGAL_DATA_DIR}/../cgal_examples" ABSOLUTE)
 if(CGAL_VERSION VERSION_GREATER_EQUAL 5.5 AND CGAL_VERSION VERSION_LESS 5.6
    AND EXISTS "${cgal_examples}/Surface_mesh" AND TARGET CGAL::METIS_support
@@ -88,18 +88,12 @@ if(CGAL_VERSION VERSION_GREATER_EQUAL 5.5 AND CGAL_VERSION VERSION_LESS 5.6
   list(JOIN eigen_options " " eigen_options)
   set(run_cgal_examples "${CMAKE_CURRENT_SOURCE_DIR}/cgal_examples/cgal_examples")
   add_test(NAME package.cgal_examples_table COMMAND "${run_cgal_examples}" check "${cgal_examples}")
-  function(add_test_of_cgal_examples test)
-    add_test(NAME ${test}
-      COMMAND "${run_cgal_examples}" run ${ARGN} "${cgal_examples}" "${CGAL_DATA_DIR}" "${scratch_dir}/cgal_examples")
-    set_tests_properties(${test} PROPERTIES
-      ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER};CXXFLAGS=${cgal_options} ${eigen_options}"
-      RESOURCE_LOCK cgal_examples)
-  endfunction()
-  add_test_of_cgal_examples(package.cgal_examples --jobs 1
-    --filter "BGL_surface_mesh/(connected|prim)|Surface_mesh/(sm_kruskal|check)")
   if(COMPACT_SURFACE_MESH_LONG_TESTS)
-    add_test_of_cgal_examples(package.all_cgal_examples)
-    set_tests_properties(package.all_cgal_examples PROPERTIES LABELS long RUN_SERIAL ON TIMEOUT 14400)
+    add_test(NAME package.cgal_examples
+      COMMAND "${run_cgal_examples}" run "${cgal_examples}" "${CGAL_DATA_DIR}" "${scratch_dir}/cgal_examples")
+    set_tests_properties(package.cgal_examples PROPERTIES
+      ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER};CXXFLAGS=${cgal_options} ${eigen_options}"
+      LABELS long RUN_SERIAL ON TIMEOUT 14400)
   endif()
 else()
   message(STATUS "There will be no test of CGAL's examples: it needs those of CGAL 5.5, METIS and g++.")
