@@ -5,11 +5,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later OR LicenseRef-Commercial
 
-// CGAL's generators of small meshes, for a mesh that can be filled but not edited: the same vertices and faces
-// in the same order, but for the faces of the icosahedron and of a triangulated hexahedron, and the same halfedge as answer. All need an empty mesh.
-// They have the template parameters of CGAL's functions in front, as callers name them where the type of the points
-// cannot be deduced. Those that take nothing but points of a kernel are there for classes that derive from the mesh,
-// too: for such points they are more specialized than CGAL's.
+// CGAL's generators of small meshes, for a mesh that can be filled but not edited: the same vertices and faces in the
+// same order, but for the faces of the icosahedron and of a triangulated hexahedron, and the same halfedge as answer.
+// All need an empty mesh. They have the template parameters of CGAL's functions in front, as callers name them where the
+// type of the points cannot be deduced. Those that take nothing but points of a kernel are there for classes that derive
+// from the mesh, too: for such points they are more specialized than CGAL's.
 
 #ifndef CGAL_BOOST_GRAPH_GENERATORS_COMPACT_SURFACE_MESH_H
 #define CGAL_BOOST_GRAPH_GENERATORS_COMPACT_SURFACE_MESH_H
