@@ -103,7 +103,8 @@ TYPED_TEST_P(Layouts, agree_with_the_corner_table_on_all_rooted_triangulations_w
 
 TYPED_TEST_P(Layouts, agree_with_the_corner_table_on_random_triangulations)
 {
-  const std::uint32_t largest = static_cast<std::uint32_t>(scaled(1000000));
+  const std::uint32_t largest =
+      static_cast<std::uint32_t>(scaled(Walks_to_targets<TypeParam>::value ? 100000 : 1000000));
   for (std::uint32_t n = 10; n <= largest; n *= 10) {
     CGAL::Random random(n);
     const auto triangles = CGAL::random_planar_triangulation(n, random);
