@@ -21,20 +21,18 @@ else()
 endif()
 
 # The viewer, in windows that no one sees. That of CGAL 6 wants another test.
-if(COMPACT_SURFACE_MESH_LONG_TESTS)
-  if(CGAL_VERSION VERSION_LESS 6)
-    find_package(CGAL QUIET OPTIONAL_COMPONENTS Qt5)
-  endif()
-  if(CGAL_Qt5_FOUND)
-    add_unit_tests(test_drawing
-      LABEL long
-      OPTIONS ${fastest_compilation}
-      ENVIRONMENT QT_QPA_PLATFORM=offscreen
-      SOURCES test_drawing.cpp)
-    target_link_libraries(test_drawing PRIVATE CGAL::CGAL_Basic_viewer)
-  else()
-    message(STATUS "Qt of CGAL 5 was not found: drawing will not be tested.")
-    add_test(NAME Drawing COMMAND "${CMAKE_COMMAND}" -E false)
-    set_tests_properties(Drawing PROPERTIES SKIP_RETURN_CODE 1 LABELS long)
-  endif()
+if(CGAL_VERSION VERSION_LESS 6)
+  find_package(CGAL QUIET OPTIONAL_COMPONENTS Qt5)
+endif()
+if(CGAL_Qt5_FOUND)
+  add_unit_tests(test_drawing
+    LABEL long
+    OPTIONS ${fastest_compilation}
+    ENVIRONMENT QT_QPA_PLATFORM=offscreen
+    SOURCES test_drawing.cpp)
+  target_link_libraries(test_drawing PRIVATE CGAL::CGAL_Basic_viewer)
+else()
+  message(STATUS "Qt of CGAL 5 was not found: drawing will not be tested.")
+  add_test(NAME Drawing COMMAND "${CMAKE_COMMAND}" -E false)
+  set_tests_properties(Drawing PROPERTIES SKIP_RETURN_CODE 1 LABELS long)
 endif()
