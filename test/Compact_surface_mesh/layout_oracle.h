@@ -106,6 +106,12 @@ private:
       expect(m_layout.edge(g) < m_layout.num_edges(), "edge", h);
       expect(m_layout.face(g) == m_layout.face(m_halfedge[m_table.next(h)]), "face", h);
       expect(m_layout.face(g) < used.size(), "face", h);
+      if (m_layout.is_in_triangle(g)) {
+        const TableIndex next = m_table.next(h);
+        const std::array<Index, 3> v = m_layout.vertices_of_triangle(g);
+        expect(v[0] == vertex(m_table.target(h)) && v[1] == vertex(m_table.target(next)) &&
+                   v[2] == vertex(m_table.source(h)), "vertices of a triangle", h);
+      }
       if (h % 3 == 0 && m_difference.empty()) {
         expect(!used[m_layout.face(g)], "face twice", h);
         used[m_layout.face(g)] = true;

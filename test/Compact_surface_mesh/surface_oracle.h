@@ -212,6 +212,18 @@ private:
         expect(!is_used[f], "face of another face", halfedge(h));
         is_used[f] = true;
       }
+      if (m_difference.empty() && m_layout.is_in_triangle(g))
+        check_triangle(h);
+    }
+  }
+
+  void check_triangle(std::size_t side)
+  {
+    expect(m_soup.is_triangle(side), "triangle", halfedge(side));
+    std::size_t h = side;
+    for (const Index v : m_layout.vertices_of_triangle(m_halfedge[side])) {
+      expect(v == m_vertex[m_soup.target(h)], "vertices of triangle", halfedge(side));
+      h = m_soup.next(h);
     }
   }
 
@@ -222,6 +234,7 @@ private:
     for (std::size_t h = m_soup.num_sides(); h < m_halfedge.size() && m_difference.empty(); ++h) {
       const Index g = m_halfedge[h], next = m_layout.next(g), prev = m_layout.prev(g);
       expect(m_layout.face(g) == Layout::null_index(), "face of a border halfedge", halfedge(h));
+      expect(!m_layout.is_in_triangle(g), "triangle of a border halfedge", halfedge(h));
       expect(is_border(next) && m_soup.source(m_soup_halfedge[next]) == m_soup.target(h), "next along the border",
              halfedge(h));
       expect(is_border(prev) && m_soup.target(m_soup_halfedge[prev]) == m_soup.source(h), "prev along the border",

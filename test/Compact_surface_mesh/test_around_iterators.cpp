@@ -74,6 +74,7 @@ void expect_iterator(const Mesh& mesh, Halfedge h, const Step& step, const Value
     ASSERT_NE(it, end);
     EXPECT_EQ(*it, value(g));
     EXPECT_EQ(it.operator->().operator->()->idx(), value(g).idx());
+    EXPECT_EQ(it, Iterator(g, mesh)); // wherever it started
     EXPECT_EQ(*it, *Iterator(g, mesh));
     const Iterator old = it++;
     EXPECT_EQ(*old, value(g));

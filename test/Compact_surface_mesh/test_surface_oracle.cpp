@@ -104,8 +104,11 @@ public:
   std::array<Index, 3> vertices_of_face(Index f) const
   {
     const H h = m_mesh.halfedge(F(f));
-    return {{m_mesh.target(h), m_mesh.target(m_mesh.next(h)), m_mesh.source(h)}};
+    return vertices_of_triangle(h);
   }
+
+  bool is_in_triangle(Index h) const { return !m_mesh.is_border(H(h)) && next(next(next(h))) == h; }
+  std::array<Index, 3> vertices_of_triangle(Index h) const { return {{target(h), target(next(h)), source(h)}}; }
 
 private:
   // the halfedges to v
@@ -127,7 +130,7 @@ enum Operator
   NUM_VERTICES, NUM_HALFEDGES, NUM_EDGES, NUM_FACES,
   NEXT, PREV, OPPOSITE, SOURCE, TARGET, FACE, EDGE,
   HALFEDGE_OF_EDGE, HALFEDGE_OF_VERTEX, HALFEDGE_OF_FACE, HALFEDGE,
-  ADJACENT_VERTICES, INCIDENT_TRIANGLES, DEGREE, VERTICES_OF_FACE, NUM_OPERATORS
+  ADJACENT_VERTICES, INCIDENT_TRIANGLES, DEGREE, VERTICES_OF_FACE, IS_IN_TRIANGLE, VERTICES_OF_TRIANGLE, NUM_OPERATORS
 };
 
 // A layout with some answers replaced by others. In whole stars and faces, the answer takes
@@ -192,6 +195,14 @@ public:
   {
     std::array<Index, 3> vertices = m_sound.vertices_of_face(f);
     vertices[0] = answer(VERTICES_OF_FACE, f, vertices[0]);
+    return vertices;
+  }
+
+  bool is_in_triangle(Index h) const { return answer(IS_IN_TRIANGLE, h, Index(m_sound.is_in_triangle(h))) != 0; }
+  std::array<Index, 3> vertices_of_triangle(Index h) const
+  {
+    std::array<Index, 3> vertices = m_sound.vertices_of_triangle(h);
+    vertices[1] = answer(VERTICES_OF_TRIANGLE, h, vertices[1]);
     return vertices;
   }
 
@@ -342,6 +353,8 @@ std::uint32_t sound_answer(const Surface_mesh_layout& sound, Operator op, std::u
     sound.for_each_incident_triangle(i, [&](std::uint32_t u, std::uint32_t) { keep_first(u); });
     return first;
   case DEGREE: return sound.degree(i);
+  case IS_IN_TRIANGLE: return sound.is_in_triangle(i);
+  case VERTICES_OF_TRIANGLE: return sound.vertices_of_triangle(i)[1];
   default: return sound.vertices_of_face(i)[0];
   }
 }
@@ -351,6 +364,8 @@ bool is_asked(const Surface_mesh_layout& sound, Operator op, std::uint32_t eleme
 {
   if (op == ADJACENT_VERTICES || op == INCIDENT_TRIANGLES)
     return sound.degree(element) != 0;
+  if (op == VERTICES_OF_TRIANGLE || op == IS_IN_TRIANGLE)
+    return sound.is_in_triangle(element) == (op == VERTICES_OF_TRIANGLE); // it may not be known
   if (op != VERTICES_OF_FACE)
     return true;
   const std::uint32_t h = sound.halfedge_of_face(element);

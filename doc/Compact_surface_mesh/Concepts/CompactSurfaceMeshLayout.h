@@ -111,6 +111,8 @@ Index face(Halfedge h) const;
 /// whether `h` is known to be a side of a triangle. Never `true` if it is not, but `false` also where it takes
 /// time to find out.
 bool is_in_triangle(Halfedge h) const;
+/// the vertices of the triangle of `h` counterclockwise, from its target on, with the precondition `is_in_triangle(h)`.
+std::array<Index, 3> vertices_of_triangle(Halfedge h) const;
 /// the edge of `h`.
 Index edge(Halfedge h) const;
 /// one of the halfedges of edge `e`, always the same.

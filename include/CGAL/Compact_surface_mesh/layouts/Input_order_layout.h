@@ -179,6 +179,8 @@ public:
   }
   /// returns whether `h` is known to be a side of a triangle.
   bool is_in_triangle(Halfedge h) const { return m_base.is_in_triangle(h); }
+  /// returns the vertices of the triangle of `h` counterclockwise, from its target on, if `is_in_triangle(h)`.
+  std::array<Index, 3> vertices_of_triangle(Halfedge h) const { return input(m_base.vertices_of_triangle(h)); }
   /// returns the edge of `h`.
   Index edge(Halfedge h) const { return m_base.edge(h); }
   /// returns one of the halfedges of `e`, always the same.
@@ -219,10 +221,7 @@ public:
   /// of a polygon, only the first three.
   std::array<Index, 3> vertices_of_face(Index f) const
   {
-    std::array<Index, 3> result = m_base.vertices_of_face(m_faces.image(f));
-    for (Index& v : result)
-      v = m_vertices.input(v);
-    return result;
+    return input(m_base.vertices_of_face(m_faces.image(f)));
   }
   /// @}
 
@@ -244,6 +243,13 @@ public:
 private:
   using Vertices = internal::Two_way_permutation<Index, true>;
   using Faces = internal::Two_way_permutation<Index, has_order_of_faces>;
+
+  std::array<Index, 3> input(std::array<Index, 3> vertices) const
+  {
+    for (Index& v : vertices)
+      v = m_vertices.input(v);
+    return vertices;
+  }
 
   // The faces of m_base in the order of the input, of whose faces `sides` has the halfedges one after the other.
   std::vector<Index> first_faces(const std::vector<Index>& sides) const

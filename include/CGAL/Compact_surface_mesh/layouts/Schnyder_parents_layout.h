@@ -218,6 +218,19 @@ public:
   /// returns whether `h` is known to be a side of a triangle: so it is in the core.
   bool is_in_triangle(Halfedge h) const { return is_in_core(h); }
 
+  /// returns the vertices of the triangle of `h` counterclockwise, from its target on, if `is_in_triangle(h)`.
+  BOOST_FORCEINLINE std::array<Index, 3> vertices_of_triangle(Halfedge h) const
+  {
+    switch (h.remainder()) {
+    case 0:
+      return vertices_of_a(h.quotient());
+    case 5:
+      return vertices_of_b(h.quotient());
+    default:
+      return { core().target(side(h)), third_vertex(h), core().source(side(h)) };
+    }
+  }
+
   /// returns the edge of `h`.
   static Index edge(Halfedge h) { return h / 2; }
   /// returns the halfedge of `e` that starts at the vertex which owns `e`.
@@ -325,11 +338,7 @@ public:
       const Index h = halfedge_of_face_outside(f), g = next_outside(h), k = next_outside(g);
       return { target_outside(h), target_outside(g), target_outside(k) };
     }
-    if (f & 1)
-      return { x, m_records.is_leaf(x) ? m_records.blue_parent(x) : m_records.last_child(x),
-               m_records.black_parent(x) };
-    const Index p = m_records.red_parent(x);
-    return { p, m_records.is_first(x) ? m_records.blue_parent(p) : static_cast<Index>(x - 1), x };
+    return f & 1 ? vertices_of_b(x) : vertices_of_a(x);
   }
 
   /// @}
@@ -387,6 +396,23 @@ private:
       visit(u);
   }
 
+  // The vertices of A(x) and B(x), x in the core, by labels. Both vertices that label 1 may have are at hand, and
+  // masks take one of them, since processors cannot guess which it is.
+  BOOST_FORCEINLINE std::array<Index, 3> vertices_of_a(Index x) const
+  {
+    const Index p = m_records.red_parent(x);
+    return { p, chosen(m_records.is_first(x), m_records.blue_parent(p), static_cast<Index>(x - 1)), x };
+  }
+  BOOST_FORCEINLINE std::array<Index, 3> vertices_of_b(Index x) const
+  {
+    return { x, chosen(m_records.is_leaf(x), m_records.blue_parent(x), m_records.last_child(x)),
+             m_records.black_parent(x) };
+  }
+  static Index chosen(bool first, Index a, Index b)
+  {
+    return static_cast<Index>(b ^ ((a ^ b) & static_cast<Index>(0 - static_cast<Index>(first))));
+  }
+
   Core core() const { return Core{ m_records, {} }; }
   Triangles triangles() const { return Triangles({ m_records, Zone{ m_records, m_numbering } }, m_numbering); }
   Everything everything() const { return Everything(triangles(), m_mask); }
@@ -400,6 +426,7 @@ private:
     return d;
   }
 
+  BOOST_NOINLINE Index third_vertex(Halfedge h) const { return target(next(h)); }
   BOOST_NOINLINE Index next_outside(Index h) const { return everything().next(h); }
   BOOST_NOINLINE Index prev_outside(Index h) const { return everything().prev(h); }
   BOOST_NOINLINE Index source_outside(Index h) const { return everything().source(h); }

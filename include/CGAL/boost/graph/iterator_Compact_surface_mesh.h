@@ -35,129 +35,183 @@
 namespace CGAL {
 namespace internal {
 
-// Where an iterator stands, which started at a halfedge.
+// Where an iterator stands, and how often it came back to the halfedge where it started. Circulators do not count.
 
 template <class Mesh>
 using Halfedge_step = typename Mesh::Halfedge_index (Mesh::*)(typename Mesh::Halfedge_index) const;
 
-template <class Mesh, Halfedge_step<Mesh> next, Halfedge_step<Mesh> prev>
+template <class Mesh, bool counts, Halfedge_step<Mesh> next, Halfedge_step<Mesh> prev>
 class At_halfedge
 {
   using Halfedge = typename Mesh::Halfedge_index;
 
 public:
   At_halfedge() = default;
-  explicit At_halfedge(Halfedge h) : m_halfedge(h) {}
+  BOOST_FORCEINLINE At_halfedge(Halfedge h, const Mesh&, unsigned round)
+    : m_halfedge(h), m_start(h), m_round(h.is_valid() ? round : 1)
+  {}
 
   BOOST_FORCEINLINE Halfedge halfedge() const { return m_halfedge; }
-  BOOST_FORCEINLINE bool is_at(Halfedge start) const { return m_halfedge == start; }
-  BOOST_FORCEINLINE bool equals(const Mesh&, const At_halfedge& other) const { return m_halfedge == other.m_halfedge; }
+  BOOST_FORCEINLINE bool equals(const Mesh&, const At_halfedge& other) const
+  {
+    return (!counts || m_round == other.m_round) && m_halfedge == other.m_halfedge;
+  }
 
-  BOOST_FORCEINLINE void advance(const Mesh& g, Halfedge) { m_halfedge = (g.*next)(m_halfedge); }
-  void retreat(const Mesh& g, Halfedge) { m_halfedge = (g.*prev)(m_halfedge); }
+  BOOST_FORCEINLINE void advance(const Mesh& g)
+  {
+    m_halfedge = (g.*next)(m_halfedge);
+    if (counts && m_halfedge == m_start)
+      ++m_round;
+  }
+
+  void retreat(const Mesh& g)
+  {
+    if (counts && m_halfedge == m_start)
+      --m_round;
+    m_halfedge = (g.*prev)(m_halfedge);
+  }
 
 private:
-  Halfedge m_halfedge;
+  Halfedge m_halfedge, m_start;
+  unsigned m_round = 0;
 };
 
-template <class Mesh>
-using Around_target = At_halfedge<Mesh, &Mesh::next_around_target, &Mesh::prev_around_target>;
-template <class Mesh>
-using Around_source = At_halfedge<Mesh, &Mesh::next_around_source, &Mesh::prev_around_source>;
-template <class Mesh>
-using Around_face = At_halfedge<Mesh, &Mesh::next, &Mesh::prev>;
+template <class Mesh, bool counts>
+using Around_target = At_halfedge<Mesh, counts, &Mesh::next_around_target, &Mesh::prev_around_target>;
+template <class Mesh, bool counts>
+using Around_source = At_halfedge<Mesh, counts, &Mesh::next_around_source, &Mesh::prev_around_source>;
+template <class Mesh, bool counts>
+using Around_face = At_halfedge<Mesh, counts, &Mesh::next, &Mesh::prev>;
 
-// The third vertex of a triangle is the source of the first side: so one step of three takes time.
-template <class Mesh>
+// In a triangle all three vertices are read at once, and steps are counted in place of rounds. Around other faces
+// the position is that of their sides; this part is called, so that the rest is small enough to be
+// inlined and unrolled.
+template <class Mesh, bool counts>
 class Around_face_vertices
 {
   using Halfedge = typename Mesh::Halfedge_index;
+  using Vertex = typename Mesh::Vertex_index;
 
 public:
   Around_face_vertices() = default;
-  explicit Around_face_vertices(Halfedge h) : m_halfedge(h) {}
-
-  BOOST_FORCEINLINE auto vertex(const Mesh& g, Halfedge start) const
+  BOOST_FORCEINLINE Around_face_vertices(Halfedge h, const Mesh& g, unsigned round)
+    : m_halfedge(h), m_start(h), m_count(1)
   {
-    return m_is_third ? g.source(start) : g.target(m_halfedge);
+    if (!h.is_valid())
+      return;
+    m_count = is_in_triangle(g) ? 3 * round : round;
+    if (round == 0)
+      read(g);
   }
-  BOOST_FORCEINLINE bool is_at(Halfedge start) const { return m_halfedge == start && !m_is_third; }
+
+  BOOST_FORCEINLINE Vertex vertex() const { return m_vertex; }
+
   BOOST_FORCEINLINE bool equals(const Mesh& g, const Around_face_vertices& other) const
   {
-    if (BOOST_LIKELY(m_is_third == other.m_is_third))
-      return m_halfedge == other.m_halfedge;
-    return halfedge(g) == other.halfedge(g);
+    if (BOOST_LIKELY(m_start == other.m_start))
+      return m_count == other.m_count && (m_halfedge == other.m_halfedge || is_in_triangle(g));
+    return is_same(g, *this, other);
   }
 
-  BOOST_FORCEINLINE void advance(const Mesh& g, Halfedge start)
+  BOOST_FORCEINLINE void advance(const Mesh& g)
   {
-    if (m_halfedge == start || !g.layout().is_in_triangle(start.name()))
-      m_halfedge = g.next(m_halfedge);
-    else {
-      if (m_is_third)
-        m_halfedge = start;
-      m_is_third = !m_is_third;
+    if (BOOST_LIKELY(is_in_triangle(g))) {
+      m_count = counts || m_count < 2 ? m_count + 1 : 0;
+      const Vertex first = m_vertex;
+      m_vertex = m_second;
+      m_second = m_third;
+      m_third = first;
+    } else {
+      m_halfedge = called_next(g, m_halfedge);
+      m_vertex = called_target(g, m_halfedge);
+      if (counts && m_halfedge == m_start)
+        ++m_count;
     }
   }
 
-  void retreat(const Mesh& g, Halfedge start)
+  void retreat(const Mesh& g)
   {
-    if (!g.layout().is_in_triangle(start.name()))
+    if (is_in_triangle(g))
+      m_count = counts || m_count > 0 ? m_count - 1 : 2;
+    else {
+      if (counts && m_halfedge == m_start)
+        --m_count;
       m_halfedge = g.prev(m_halfedge);
-    else if (m_is_third || m_halfedge == start) {
-      m_halfedge = g.next(start);
-      m_is_third = !m_is_third;
-    } else
-      m_halfedge = start;
+    }
+    read(g);
   }
 
 private:
-  BOOST_NOINLINE Halfedge halfedge(const Mesh& g) const { return m_is_third ? g.next(m_halfedge) : m_halfedge; }
+  BOOST_FORCEINLINE bool is_in_triangle(const Mesh& g) const { return g.layout().is_in_triangle(m_start.name()); }
 
-  Halfedge m_halfedge; // of the second vertex, where it stands at the third one
-  bool m_is_third = false;
+  BOOST_FORCEINLINE void read(const Mesh& g)
+  {
+    if (BOOST_LIKELY(is_in_triangle(g))) {
+      const auto v = g.layout().vertices_of_triangle(m_start.name());
+      m_vertex = Vertex(v[m_count % 3]);
+      m_second = Vertex(v[(m_count + 1) % 3]);
+      m_third = Vertex(v[(m_count + 2) % 3]);
+    } else
+      m_vertex = called_target(g, m_halfedge);
+  }
+
+  Halfedge halfedge(const Mesh& g) const
+  {
+    if (!is_in_triangle(g) || m_count % 3 == 0)
+      return m_halfedge;
+    return m_count % 3 == 1 ? g.next(m_halfedge) : g.prev(m_halfedge);
+  }
+  unsigned round(const Mesh& g) const { return is_in_triangle(g) ? m_count / 3 : m_count; }
+
+  static BOOST_NOINLINE bool is_same(const Mesh& g, Around_face_vertices a, Around_face_vertices b)
+  {
+    return a.halfedge(g) == b.halfedge(g) && (!counts || a.round(g) == b.round(g));
+  }
+  static BOOST_NOINLINE Halfedge called_next(const Mesh& g, Halfedge h) { return g.next(h); }
+  static BOOST_NOINLINE Vertex called_target(const Mesh& g, Halfedge h) { return g.target(h); }
+
+  Halfedge m_halfedge, m_start;
+  unsigned m_count = 0;
+  Vertex m_vertex, m_second, m_third; // the latter two in triangles
 };
 
 // What an iterator shows of where it stands.
 struct Show_halfedge
 {
-  template <class Mesh, class Position, class Halfedge>
-  static BOOST_FORCEINLINE auto get(const Mesh&, const Position& p, Halfedge) { return p.halfedge(); }
+  template <class Mesh, class Position>
+  static BOOST_FORCEINLINE auto get(const Mesh&, const Position& p) { return p.halfedge(); }
 };
 struct Show_edge
 {
-  template <class Mesh, class Position, class Halfedge>
-  static BOOST_FORCEINLINE auto get(const Mesh& g, const Position& p, Halfedge) { return g.edge(p.halfedge()); }
+  template <class Mesh, class Position>
+  static BOOST_FORCEINLINE auto get(const Mesh& g, const Position& p) { return g.edge(p.halfedge()); }
 };
 struct Show_opposite_edge
 {
-  template <class Mesh, class Position, class Halfedge>
-  static BOOST_FORCEINLINE auto get(const Mesh& g, const Position& p, Halfedge)
-  {
-    return g.edge(g.opposite(p.halfedge()));
-  }
+  template <class Mesh, class Position>
+  static BOOST_FORCEINLINE auto get(const Mesh& g, const Position& p) { return g.edge(g.opposite(p.halfedge())); }
 };
 struct Show_source
 {
-  template <class Mesh, class Position, class Halfedge>
-  static BOOST_FORCEINLINE auto get(const Mesh& g, const Position& p, Halfedge) { return g.source(p.halfedge()); }
+  template <class Mesh, class Position>
+  static BOOST_FORCEINLINE auto get(const Mesh& g, const Position& p) { return g.source(p.halfedge()); }
 };
 struct Show_vertex
 {
-  template <class Mesh, class Position, class Halfedge>
-  static BOOST_FORCEINLINE auto get(const Mesh& g, const Position& p, Halfedge start) { return p.vertex(g, start); }
+  template <class Mesh, class Position>
+  static BOOST_FORCEINLINE auto get(const Mesh&, const Position& p) { return p.vertex(); }
 };
 
-// Iterators count how often they came back to where they started, as those past the end have done once.
-template <class Derived, class Mesh, class Position, class Show, class Category>
+// Iterators past the end have come back once to where they started.
+template <class Derived, class Mesh, template <class, bool> class Position_of, class Show, class Category>
 class Around_iterator
 {
-  static constexpr bool is_circulator = std::is_same<Category, Bidirectional_circulator_tag>::value;
+  using Position = Position_of<Mesh, !std::is_same<Category, Bidirectional_circulator_tag>::value>;
   using Halfedge = typename Mesh::Halfedge_index;
 
 public:
   using iterator_category = Category;
-  using value_type = decltype(Show::get(std::declval<const Mesh&>(), Position(), Halfedge()));
+  using value_type = decltype(Show::get(std::declval<const Mesh&>(), Position()));
   using reference = value_type;
   using difference_type = std::ptrdiff_t;
   using size_type = std::size_t;
@@ -174,26 +228,23 @@ public:
 
   Around_iterator() = default;
   BOOST_FORCEINLINE Around_iterator(Halfedge h, const Mesh& g, int round = 0)
-    : m_mesh(&g), m_position(h), m_start(h), m_round(h.is_valid() ? round : 1)
+    : m_mesh(&g), m_position(h, g, static_cast<unsigned>(round))
   {}
 
-  BOOST_FORCEINLINE reference operator*() const { return Show::get(*m_mesh, m_position, m_start); }
+  BOOST_FORCEINLINE reference operator*() const { return Show::get(*m_mesh, m_position); }
   pointer operator->() const { return pointer(**this); }
 
   explicit operator bool() const { return m_mesh != nullptr; }
   bool operator==(void*) const { return m_mesh == nullptr; }
   BOOST_FORCEINLINE bool operator==(const Derived& other) const
   {
-    return (is_circulator || m_round == other.m_round) && m_mesh == other.m_mesh
-        && (m_mesh == nullptr || m_position.equals(*m_mesh, other.m_position));
+    return m_mesh == other.m_mesh && (m_mesh == nullptr || m_position.equals(*m_mesh, other.m_position));
   }
   BOOST_FORCEINLINE bool operator!=(const Derived& other) const { return !(*this == other); }
 
   BOOST_FORCEINLINE Derived& operator++()
   {
-    m_position.advance(*m_mesh, m_start);
-    if (!is_circulator && m_position.is_at(m_start))
-      ++m_round;
+    m_position.advance(*m_mesh);
     return derived();
   }
   BOOST_FORCEINLINE Derived operator++(int)
@@ -204,9 +255,7 @@ public:
   }
   Derived& operator--()
   {
-    if (!is_circulator && m_position.is_at(m_start))
-      --m_round;
-    m_position.retreat(*m_mesh, m_start);
+    m_position.retreat(*m_mesh);
     return derived();
   }
   Derived operator--(int)
@@ -221,8 +270,6 @@ private:
 
   const Mesh* m_mesh = nullptr;
   Position m_position;
-  Halfedge m_start;
-  int m_round = 0;
 };
 
 } // namespace internal
@@ -230,7 +277,7 @@ private:
 template <class P, class L>
 class Halfedge_around_target_iterator<Compact_surface_mesh<P, L> >
   : public internal::Around_iterator<Halfedge_around_target_iterator<Compact_surface_mesh<P, L> >,
-                                     Compact_surface_mesh<P, L>, internal::Around_target<Compact_surface_mesh<P, L> >,
+                                     Compact_surface_mesh<P, L>, internal::Around_target,
                                      internal::Show_halfedge, std::bidirectional_iterator_tag>
 {
   using Base = typename Halfedge_around_target_iterator::Around_iterator;
@@ -242,7 +289,7 @@ public:
 template <class P, class L>
 class Halfedge_around_source_iterator<Compact_surface_mesh<P, L> >
   : public internal::Around_iterator<Halfedge_around_source_iterator<Compact_surface_mesh<P, L> >,
-                                     Compact_surface_mesh<P, L>, internal::Around_source<Compact_surface_mesh<P, L> >,
+                                     Compact_surface_mesh<P, L>, internal::Around_source,
                                      internal::Show_halfedge, std::bidirectional_iterator_tag>
 {
   using Base = typename Halfedge_around_source_iterator::Around_iterator;
@@ -254,7 +301,7 @@ public:
 template <class P, class L>
 class Halfedge_around_face_iterator<Compact_surface_mesh<P, L> >
   : public internal::Around_iterator<Halfedge_around_face_iterator<Compact_surface_mesh<P, L> >,
-                                     Compact_surface_mesh<P, L>, internal::Around_face<Compact_surface_mesh<P, L> >,
+                                     Compact_surface_mesh<P, L>, internal::Around_face,
                                      internal::Show_halfedge, std::bidirectional_iterator_tag>
 {
   using Base = typename Halfedge_around_face_iterator::Around_iterator;
@@ -266,7 +313,7 @@ public:
 template <class P, class L>
 class Halfedge_around_target_circulator<Compact_surface_mesh<P, L> >
   : public internal::Around_iterator<Halfedge_around_target_circulator<Compact_surface_mesh<P, L> >,
-                                     Compact_surface_mesh<P, L>, internal::Around_target<Compact_surface_mesh<P, L> >,
+                                     Compact_surface_mesh<P, L>, internal::Around_target,
                                      internal::Show_halfedge, Bidirectional_circulator_tag>
 {
   using Base = typename Halfedge_around_target_circulator::Around_iterator;
@@ -282,7 +329,7 @@ public:
 template <class P, class L>
 class Halfedge_around_source_circulator<Compact_surface_mesh<P, L> >
   : public internal::Around_iterator<Halfedge_around_source_circulator<Compact_surface_mesh<P, L> >,
-                                     Compact_surface_mesh<P, L>, internal::Around_source<Compact_surface_mesh<P, L> >,
+                                     Compact_surface_mesh<P, L>, internal::Around_source,
                                      internal::Show_halfedge, Bidirectional_circulator_tag>
 {
   using Base = typename Halfedge_around_source_circulator::Around_iterator;
@@ -298,7 +345,7 @@ public:
 template <class P, class L>
 class Halfedge_around_face_circulator<Compact_surface_mesh<P, L> >
   : public internal::Around_iterator<Halfedge_around_face_circulator<Compact_surface_mesh<P, L> >,
-                                     Compact_surface_mesh<P, L>, internal::Around_face<Compact_surface_mesh<P, L> >,
+                                     Compact_surface_mesh<P, L>, internal::Around_face,
                                      internal::Show_halfedge, Bidirectional_circulator_tag>
 {
   using Base = typename Halfedge_around_face_circulator::Around_iterator;
@@ -310,7 +357,7 @@ public:
 template <class P, class L>
 class Vertex_around_target_iterator<Compact_surface_mesh<P, L> >
   : public internal::Around_iterator<Vertex_around_target_iterator<Compact_surface_mesh<P, L> >,
-                                     Compact_surface_mesh<P, L>, internal::Around_target<Compact_surface_mesh<P, L> >,
+                                     Compact_surface_mesh<P, L>, internal::Around_target,
                                      internal::Show_source, std::bidirectional_iterator_tag>
 {
   using Base = typename Vertex_around_target_iterator::Around_iterator;
@@ -322,7 +369,7 @@ public:
 template <class P, class L>
 class Vertex_around_target_circulator<Compact_surface_mesh<P, L> >
   : public internal::Around_iterator<Vertex_around_target_circulator<Compact_surface_mesh<P, L> >,
-                                     Compact_surface_mesh<P, L>, internal::Around_target<Compact_surface_mesh<P, L> >,
+                                     Compact_surface_mesh<P, L>, internal::Around_target,
                                      internal::Show_source, Bidirectional_circulator_tag>
 {
   using Base = typename Vertex_around_target_circulator::Around_iterator;
@@ -335,7 +382,7 @@ template <class P, class L>
 class Vertex_around_face_iterator<Compact_surface_mesh<P, L> >
   : public internal::Around_iterator<Vertex_around_face_iterator<Compact_surface_mesh<P, L> >,
                                      Compact_surface_mesh<P, L>,
-                                     internal::Around_face_vertices<Compact_surface_mesh<P, L> >,
+                                     internal::Around_face_vertices,
                                      internal::Show_vertex, std::bidirectional_iterator_tag>
 {
   using Base = typename Vertex_around_face_iterator::Around_iterator;
@@ -348,7 +395,7 @@ template <class P, class L>
 class Vertex_around_face_circulator<Compact_surface_mesh<P, L> >
   : public internal::Around_iterator<Vertex_around_face_circulator<Compact_surface_mesh<P, L> >,
                                      Compact_surface_mesh<P, L>,
-                                     internal::Around_face_vertices<Compact_surface_mesh<P, L> >,
+                                     internal::Around_face_vertices,
                                      internal::Show_vertex, Bidirectional_circulator_tag>
 {
   using Base = typename Vertex_around_face_circulator::Around_iterator;
@@ -360,7 +407,7 @@ public:
 template <class P, class L>
 class In_edge_iterator<Compact_surface_mesh<P, L> >
   : public internal::Around_iterator<In_edge_iterator<Compact_surface_mesh<P, L> >,
-                                     Compact_surface_mesh<P, L>, internal::Around_target<Compact_surface_mesh<P, L> >,
+                                     Compact_surface_mesh<P, L>, internal::Around_target,
                                      internal::Show_edge, std::bidirectional_iterator_tag>
 {
   using Base = typename In_edge_iterator::Around_iterator;
@@ -372,7 +419,7 @@ public:
 template <class P, class L>
 class Out_edge_iterator<Compact_surface_mesh<P, L> >
   : public internal::Around_iterator<Out_edge_iterator<Compact_surface_mesh<P, L> >,
-                                     Compact_surface_mesh<P, L>, internal::Around_target<Compact_surface_mesh<P, L> >,
+                                     Compact_surface_mesh<P, L>, internal::Around_target,
                                      internal::Show_opposite_edge, std::bidirectional_iterator_tag>
 {
   using Base = typename Out_edge_iterator::Around_iterator;

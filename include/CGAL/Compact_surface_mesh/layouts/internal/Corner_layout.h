@@ -136,6 +136,11 @@ public:
   }
   /// returns whether `h` is known to be a side of a triangle: always so in meshes without polygons.
   bool is_in_triangle(Index h) const { return m_mask.empty() && m_corners.face(h) != null_index(); }
+  /// returns the vertices of the triangle of `h` counterclockwise, from its target on, if `is_in_triangle(h)`.
+  BOOST_FORCEINLINE std::array<Index, 3> vertices_of_triangle(Index h) const
+  {
+    return { target(h), target(next(h)), source(h) };
+  }
   /// returns the edge of `h`, as `Edges` numbers it: by the rank of a bit, unless the layout says otherwise.
   Index edge(Index h) const { return m_edges.edge(*this, m_corners, h); }
   /// returns a halfedge of `e`, always the same: in logarithmic time by the selection of a bit, likewise.
