@@ -10,6 +10,7 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
+#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 #include <CGAL/Compact_surface_mesh/internal/versions_of_cgal.h>
 
 #include <CGAL/Surface_mesh/Properties.h>
@@ -227,6 +228,7 @@ protected:
   void resize_properties(std::size_t num_vertices, std::size_t num_halfedges,
                          std::size_t num_edges, std::size_t num_faces)
   {
+    reserve_points(num_vertices);
     container<Vertex_index_>().resize(num_vertices);
     container<Halfedge_index_>().resize(num_halfedges);
     container<Edge_index_>().resize(num_edges);
@@ -239,6 +241,17 @@ private:
   template <class I> const Container<I>& container() const { return std::get<Container<I> >(m_containers); }
 
   void find_points() { m_points = add_property_map<Vertex_index_, Point>("v:point").first; }
+
+  // The array of points is not ours to allocate; it has an address from its first element on.
+  void reserve_points(std::size_t n)
+  {
+    auto& vertices = container<Vertex_index_>();
+    if (vertices.size() != 0 || n * sizeof(Point) < internal::huge_page)
+      return;
+    vertices.reserve(n);
+    vertices.resize(1);
+    internal::ask_for_huge_pages(&m_points[Vertex_index_(0)], n * sizeof(Point));
+  }
 
   template <class I>
   void swap_container(Element_properties& other)

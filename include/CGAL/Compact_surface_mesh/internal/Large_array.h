@@ -11,6 +11,7 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <new>
@@ -23,13 +24,35 @@
 namespace CGAL {
 namespace internal {
 
+constexpr std::size_t huge_page = std::size_t(1) << 21;
+
+// Asks the system for huge pages behind what lies in `bytes` bytes from `begin` on and is not used yet.
+// That is advice, which may be refused.
+inline void ask_for_huge_pages(void* begin, std::size_t bytes)
+{
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+  const std::size_t before = (huge_page - reinterpret_cast<std::uintptr_t>(begin) % huge_page) % huge_page;
+  if (bytes >= before + huge_page)
+    madvise(static_cast<char*>(begin) + before, (bytes - before) / huge_page * huge_page, MADV_HUGEPAGE);
+#else
+  static_cast<void>(begin), static_cast<void>(bytes);
+#endif
+}
+
+// Reserves memory for `n` elements of an empty std::vector, behind huge pages but for its ends.
+template <class T>
+void reserve_huge_pages(std::vector<T>& v, std::size_t n)
+{
+  v.reserve(n);
+  ask_for_huge_pages(v.data(), n * sizeof(T));
+}
+
 // Asks the system for huge pages behind arrays that fill some. Without them, an array of ordinary pages costs
 // a page fault for every 4 KiB when it is filled, and a miss of the address translation at most random accesses.
 // Smaller arrays, and all where there are no huge pages, are those of std::allocator.
 template <class T>
 class Huge_page_allocator
 {
-  static constexpr std::size_t huge_page = std::size_t(1) << 21;
   static constexpr std::size_t min_bytes = 2 * huge_page;
 
 public:
@@ -48,9 +71,7 @@ public:
     if (!is_large(bytes))
       return std::allocator<T>().allocate(n);
     void* const memory = ::operator new(bytes, std::align_val_t(huge_page));
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-    madvise(memory, bytes / huge_page * huge_page, MADV_HUGEPAGE); // advice, which may be refused
-#endif
+    ask_for_huge_pages(memory, bytes);
     return static_cast<T*>(memory);
   }
 

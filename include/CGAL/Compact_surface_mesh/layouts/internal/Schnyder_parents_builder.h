@@ -58,6 +58,7 @@ public:
     const std::size_t num_records = m_num_vertices + m_sectors.num_further();
     if (num_records > Records::max_records)
       throw Mesh_defect_exception(Mesh_defect::too_many_elements, num_records);
+    reserve_huge_pages(m_number, num_records);
     m_number.resize(num_records);
     m_records.records.assign(num_records, typename Records::Record{});
     set_bounds();
