@@ -14,7 +14,7 @@
 #include <CGAL/Compact_surface_mesh/internal/Emptied_on_move.h>
 #include <CGAL/Compact_surface_mesh/internal/Graph_faces.h>
 #include <CGAL/Compact_surface_mesh/internal/Halfedge_matching.h>
-#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
+#include <CGAL/Compact_surface_mesh/internal/Paired_corners.h>
 #include <CGAL/Compact_surface_mesh/internal/Polygon_list.h>
 
 #include <cstddef>
@@ -81,7 +81,7 @@ public:
     for (const auto& triangle : triangles)
       list.append_triangle(triangle);
     take_triangles(list);
-    internal::match_halfedges(*this, m_opposite);
+    internal::match_halfedges<Index>(*this);
   }
 
   /*!
@@ -105,11 +105,11 @@ public:
     internal::Graph_faces<FaceGraph, VertexIndexMap> graph_faces(g, vertex_index);
     internal::Polygon_list<Index> list = graph_faces.template read<Index>(true);
     take_triangles(list);
-    internal::Halfedge_matching<Index, Corner_table> matching(*this, m_opposite);
-    if (!graph_faces.pair_by_ends(matching, m_opposite))
+    internal::Halfedge_matching<Index, Corner_table> matching(*this);
+    if (!graph_faces.pair_by_ends(matching, *this))
       throw Mesh_defect_exception(Mesh_defect::double_edge,
                                   matching.has_conflict() ? matching.face_of_conflict()
-                                                          : graph_faces.triangle_at_false_pair(m_opposite));
+                                                          : graph_faces.triangle_at_false_pair(*this));
     matching.check_vertices();
   }
 
@@ -122,11 +122,11 @@ public:
   /// returns the number of vertices, isolated ones included.
   std::size_t num_vertices() const { return m_num_vertices; }
   /// returns the number of triangles.
-  std::size_t num_faces() const { return m_vertex.size() / 3; }
+  std::size_t num_faces() const { return m_corner.size() / 3; }
   /// returns the number of halfedges that have a triangle, which is that of corners.
-  std::size_t num_halfedges() const { return m_vertex.size(); }
+  std::size_t num_halfedges() const { return m_corner.size(); }
   /// returns the number of bytes that the table has allocated.
-  std::size_t bytes() const { return (m_vertex.capacity() + m_opposite.capacity()) * sizeof(Index); }
+  std::size_t bytes() const { return m_corner.capacity() * sizeof(internal::Paired_corner<Index>); }
   /// @}
 
   /// \name Halfedges
@@ -140,13 +140,13 @@ public:
   /// returns the triangle of `h`.
   static Index face(Index h) { return h / 3; }
   /// returns the vertex where `h` starts.
-  Index source(Index h) const { return m_vertex[h]; }
+  Index source(Index h) const { return vertex(h); }
   /// returns the vertex where `h` ends.
-  Index target(Index h) const { return m_vertex[next(h)]; }
+  Index target(Index h) const { return vertex(next(h)); }
   /// returns the halfedge of the same edge in the other direction, `null()` on a border.
-  Index opposite(Index h) const { return m_opposite[h]; }
+  Index opposite(Index h) const { return m_corner[h].opposite; }
   /// returns the next halfedge out of `source(h)` counterclockwise, `null()` behind a border.
-  Index next_around_source(Index h) const { return m_opposite[prev(h)]; }
+  Index next_around_source(Index h) const { return opposite(prev(h)); }
 
   /// @}
 
@@ -154,11 +154,11 @@ public:
   /// @{
 
   /// returns the vertex of corner `c` (operator v).
-  Index vertex(Index c) const { return m_vertex[c]; }
+  Index vertex(Index c) const { return m_corner[c].vertex; }
   /// returns the corner opposite to `c` across the edge that it sees (operator o), `null()` on a border.
   Index opposite_corner(Index c) const
   {
-    const Index h = m_opposite[next(c)];
+    const Index h = opposite(next(c));
     return h == null() ? null() : prev(h);
   }
   /// returns the corner opposite to the previous one (operator l of the chapter cited above), `null()` on a border.
@@ -189,8 +189,7 @@ public:
   {
     if (n > (null() - 1 - num_halfedges()) / 3)
       throw Mesh_defect_exception(Mesh_defect::too_many_elements, num_faces() + n);
-    m_vertex.reserve(m_vertex.size() + 3 * n);
-    m_opposite.reserve(m_vertex.size() + 3 * n);
+    m_corner.reserve(m_corner.size() + 3 * n);
   }
 
   /*!
@@ -205,10 +204,10 @@ public:
     reserve_further_faces(2);
     const Index x = add_vertex();
     const Index h = 3 * f, bc = static_cast<Index>(num_halfedges()), ca = bc + 3;
-    const Index b = m_vertex[h + 1], c = m_vertex[h + 2], a = m_vertex[h];
-    m_vertex.insert(m_vertex.end(), { b, c, x, c, a, x });
-    m_opposite.resize(m_vertex.size(), null());
-    m_vertex[h + 2] = x;
+    const Index b = vertex(h + 1), c = vertex(h + 2), a = vertex(h);
+    append_triangle(b, c, x);
+    append_triangle(c, a, x);
+    set_vertex(h + 2, x);
     move_halfedge(h + 1, bc);
     move_halfedge(h + 2, ca);
     pair(h + 1, bc + 2);
@@ -220,14 +219,14 @@ public:
   /// returns where `split_face()` put halfedge `h` of the face that it split.
   Index halfedge_of_split_face(Index h) const
   {
-    return h % 3 == 0 ? h : (h % 3 == 1 ? m_opposite[h] - 2 : m_opposite[h] - 1);
+    return h % 3 == 0 ? h : (h % 3 == 1 ? opposite(h) - 2 : opposite(h) - 1);
   }
 
   /// undoes `split_face(f)`, but for the two faces and the vertex at the end.
   void unsplit_face(Index f)
   {
     const Index h = 3 * f, bc = halfedge_of_split_face(h + 1), ca = halfedge_of_split_face(h + 2);
-    m_vertex[h + 2] = m_vertex[ca];
+    set_vertex(h + 2, vertex(ca));
     move_halfedge(bc, h + 1);
     move_halfedge(ca, h + 2);
   }
@@ -245,12 +244,11 @@ public:
     const Index first = static_cast<Index>(num_halfedges());
     Index g = h;
     do {
-      if (m_vertex.size() + 3 >= null())
+      if (m_corner.size() + 3 >= null())
         throw Mesh_defect_exception(Mesh_defect::too_many_elements, num_faces() + 1);
       const Index u = source(g);
-      const Index added = static_cast<Index>(m_vertex.size());
-      m_vertex.insert(m_vertex.end(), { target(g), u, x });
-      m_opposite.resize(m_vertex.size(), null());
+      const Index added = static_cast<Index>(m_corner.size());
+      append_triangle(target(g), u, x);
       const Index closed = g;
       g = prev(last_around_source(g));
       if (added == first) // h shows the end of the border as long as it has no opposite
@@ -258,7 +256,7 @@ public:
       pair(added - 2, added + 2);
       pair(closed, added);
     } while (g != h);
-    pair(static_cast<Index>(m_vertex.size()) - 2, first + 2);
+    pair(static_cast<Index>(m_corner.size()) - 2, first + 2);
     pair(h, first);
     return x;
   }
@@ -272,17 +270,18 @@ public:
   }
 
   /// gives corner `c` to vertex `v`.
-  void set_vertex(Index c, Index v) { m_vertex[c] = v; }
+  void set_vertex(Index c, Index v) { m_corner[c].vertex = v; }
 
   /// removes all but the first `num_vertices` vertices and `num_faces` faces; the remaining
   /// faces may not use the other vertices.
   void resize(std::size_t num_vertices, std::size_t num_faces)
   {
-    for (std::size_t h = 3 * num_faces; h < num_halfedges(); ++h)
-      if (m_opposite[h] < 3 * num_faces && m_opposite[m_opposite[h]] == h)
-        m_opposite[m_opposite[h]] = null();
-    m_vertex.resize(3 * num_faces);
-    m_opposite.resize(3 * num_faces);
+    for (std::size_t h = 3 * num_faces; h < num_halfedges(); ++h) {
+      const Index o = opposite(static_cast<Index>(h));
+      if (o < 3 * num_faces && opposite(o) == h)
+        set_opposite(o, null());
+    }
+    m_corner.resize(3 * num_faces);
     m_num_vertices = num_vertices;
   }
 
@@ -290,34 +289,40 @@ public:
 
 private:
   friend class Simple_triangulation<Index>;
+  friend class internal::Halfedge_matching<Index, Corner_table>;
 
   // Takes the list apart. Halfedges remain to be paired.
   void take_triangles(internal::Polygon_list<Index>& list)
   {
     m_num_vertices = list.num_vertices();
-    m_vertex = list.release_vertices();
-    m_opposite.reserve(m_vertex.capacity());
-    m_opposite.resize(m_vertex.size());
+    m_corner = list.release_corners();
   }
+
+  // Appends a triangle whose halfedges have no opposites.
+  void append_triangle(Index a, Index b, Index c)
+  {
+    m_corner.insert(m_corner.end(), { { a, null() }, { b, null() }, { c, null() } });
+  }
+
+  void set_opposite(Index h, Index opposite) { m_corner[h].opposite = opposite; }
 
   void pair(Index g, Index h)
   {
-    m_opposite[g] = h;
-    m_opposite[h] = g;
+    set_opposite(g, h);
+    set_opposite(h, g);
   }
 
   // The edge of halfedge `from` is that of halfedge `to` from now on.
   void move_halfedge(Index from, Index to)
   {
-    const Index o = m_opposite[from];
-    m_opposite[to] = o;
+    const Index o = opposite(from);
+    set_opposite(to, o);
     if (o != null())
-      m_opposite[o] = to;
+      set_opposite(o, to);
   }
 
   internal::Emptied_on_move<std::size_t> m_num_vertices;
-  internal::Large_array<Index> m_vertex;   // of each corner
-  internal::Large_array<Index> m_opposite; // of each halfedge
+  internal::Paired_corners<Index> m_corner;
 };
 
 } // namespace CGAL

@@ -17,7 +17,6 @@
 #include <CGAL/Compact_surface_mesh/internal/Fan_corners.h>
 #include <CGAL/Compact_surface_mesh/internal/Graph_faces.h>
 #include <CGAL/Compact_surface_mesh/internal/Halfedge_matching.h>
-#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 #include <CGAL/Compact_surface_mesh/internal/Polygon_list.h>
 
 #include <cstddef>
@@ -92,12 +91,11 @@ public:
     set_user_counts(list);
     if (list.has_triangles_only()) {
       m_table.take_triangles(list);
-      internal::match_halfedges(m_table, m_table.m_opposite);
+      internal::match_halfedges<Index>(m_table);
     } else {
       list.index_corners();
-      internal::Large_array<Index> opposite(list.num_halfedges());
-      internal::match_halfedges(list, opposite);
-      triangulate(list, opposite);
+      internal::match_halfedges<Index>(list);
+      triangulate(list);
     }
   }
 
@@ -121,24 +119,23 @@ public:
     set_user_counts(list);
     if (list.has_triangles_only()) {
       m_table.take_triangles(list);
-      internal::Halfedge_matching<Index, Corner_table<Index> > matching(m_table, m_table.m_opposite);
-      if (graph_faces.pair_by_ends(matching, m_table.m_opposite)) {
+      internal::Halfedge_matching<Index, Corner_table<Index> > matching(m_table);
+      if (graph_faces.pair_by_ends(matching, m_table)) {
         matching.check_vertices();
         return;
       }
-      list.restore_vertices(std::move(m_table.m_vertex));
+      list.restore_corners(std::move(m_table.m_corner));
     }
     list.index_corners();
-    internal::Large_array<Index> opposite(list.num_halfedges());
-    internal::Halfedge_matching<Index, Polygon_list> matching(list, opposite);
-    if (graph_faces.pair_by_ends(matching, opposite))
+    internal::Halfedge_matching<Index, Polygon_list> matching(list);
+    if (graph_faces.pair_by_ends(matching, list))
       matching.check_vertices();
     else {
-      graph_faces.pair(opposite);
-      internal::check_vertices(list, opposite);
-      split_double_edges(list, opposite);
+      graph_faces.pair(list);
+      internal::check_vertices<Index>(list);
+      split_double_edges(list);
     }
-    triangulate(list, opposite);
+    triangulate(list);
   }
 
   /// @}
@@ -199,19 +196,17 @@ private:
     m_num_user_faces = list.num_faces();
   }
 
-  void split_double_edges(Polygon_list& list, internal::Large_array<Index>& opposite)
+  void split_double_edges(Polygon_list& list)
   {
-    internal::Double_edge_split<Index> split(list, opposite);
+    internal::Double_edge_split<Index> split(list);
     Polygon_list split_list = split.polygons();
-    internal::Large_array<Index> split_opposite = split.opposites(split_list.num_halfedges());
     m_stands_for = split.ends();
     m_halfedge_of_side = split.images();
     list = std::move(split_list);
-    opposite = std::move(split_opposite);
   }
 
   // Cuts faces whose halfedges are paired, and no two edges of which have the same ends.
-  void triangulate(const Polygon_list& list, const internal::Large_array<Index>& opposite)
+  void triangulate(const Polygon_list& list)
   {
     const std::vector<Index> fan_corner = internal::Fan_corners<Index>(list, max_fan_size).release();
     make_room(list, fan_corner);
@@ -225,9 +220,11 @@ private:
       else
         append_wheel(list, f, image);
     }
-    for (std::size_t i = 0; i < opposite.size(); ++i)
-      if (opposite[i] != null())
-        m_table.m_opposite[image[i]] = image[opposite[i]];
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      const Index opposite = list.opposite(static_cast<Index>(i));
+      if (opposite != null())
+        m_table.set_opposite(image[i], image[opposite]);
+    }
 
     if (m_halfedge_of_side.empty()) // no edge is split
       m_halfedge_of_side = std::move(image);
@@ -250,8 +247,8 @@ private:
     }
     Polygon_list::check_counts(list.num_vertices() + num_centers, num_triangles);
     m_table.m_num_vertices = list.num_vertices();
-    m_table.m_vertex.reserve(3 * num_triangles);
-    m_table.m_opposite.assign(3 * num_triangles, null());
+    m_table.m_corner.clear();
+    m_table.m_corner.reserve(3 * num_triangles);
     m_face_of_triangle.reserve(num_triangles);
   }
 
@@ -288,8 +285,8 @@ private:
   // Returns the halfedge from a to b.
   Index append_triangle(Index f, Index a, Index b, Index c)
   {
-    const Index h = static_cast<Index>(m_table.m_vertex.size());
-    m_table.m_vertex.insert(m_table.m_vertex.end(), { a, b, c });
+    const Index h = static_cast<Index>(m_table.num_halfedges());
+    m_table.append_triangle(a, b, c);
     m_face_of_triangle.push_back(f);
     return h;
   }

@@ -10,7 +10,6 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
-#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 #include <CGAL/Compact_surface_mesh/internal/Polygon_list.h>
 
 #include <algorithm>
@@ -31,9 +30,9 @@ class Double_edge_split
 public:
   static constexpr Index null() { return (std::numeric_limits<Index>::max)(); }
 
-  // The corners of `polygons` are indexed, and its halfedges paired by `opposite`.
-  Double_edge_split(const Polygon_list<Index>& polygons, const Large_array<Index>& opposite)
-    : m_polygons(polygons), m_opposite(opposite), m_new_vertex(opposite.size(), null())
+  // The corners of `polygons` are indexed, and its halfedges paired.
+  explicit Double_edge_split(const Polygon_list<Index>& polygons)
+    : m_polygons(polygons), m_new_vertex(polygons.num_halfedges(), null())
   {
     find_double_edges();
   }
@@ -47,12 +46,12 @@ public:
     return ends;
   }
 
-  // The faces with the new vertices, which come after all others.
+  // The faces with the new vertices, which come after all others, and paired halfedges.
   Polygon_list<Index> polygons()
   {
     Polygon_list<Index> split(m_polygons.num_vertices() + m_split.size(), m_polygons.num_faces());
     std::vector<Index> face;
-    m_image.reserve(m_opposite.size());
+    m_image.reserve(m_polygons.num_halfedges());
     for (std::size_t f = 0; f < m_polygons.num_faces(); ++f) {
       face.clear();
       for (Index h = m_polygons.first(static_cast<Index>(f)); h != m_polygons.end(static_cast<Index>(f)); ++h) {
@@ -64,25 +63,8 @@ public:
       split.append(face);
     }
     split.index_corners();
+    pair(split);
     return split;
-  }
-
-  // The pairs of the halfedges of polygons(), which must have been called.
-  Large_array<Index> opposites(std::size_t num_halfedges) const
-  {
-    Large_array<Index> opposites(num_halfedges, null());
-    for (std::size_t h = 0; h < m_image.size(); ++h) {
-      if (m_opposite[h] == null())
-        continue;
-      const Index image = m_image[h], other = m_image[m_opposite[h]];
-      if (m_new_vertex[h] == null())
-        opposites[image] = other;
-      else {
-        opposites[image] = static_cast<Index>(other + 1);
-        opposites[image + 1] = other;
-      }
-    }
-    return opposites;
   }
 
   // Which halfedge of polygons() stands for each halfedge.
@@ -90,22 +72,40 @@ public:
   {
     std::vector<Index> images = m_image;
     for (std::size_t h = 0; h < images.size(); ++h)
-      if (m_new_vertex[h] != null() && m_opposite[h] < h) // runs from v by x to u
+      if (m_new_vertex[h] != null() && opposite(h) < h) // runs from v by x to u
         ++images[h];
     return images;
   }
 
 private:
   Index target(Index h) const { return m_polygons.vertex(m_polygons.next(h)); }
+  Index opposite(std::size_t h) const { return m_polygons.opposite(static_cast<Index>(h)); }
+
+  void pair(Polygon_list<Index>& split) const
+  {
+    for (std::size_t h = 0; h < split.num_halfedges(); ++h)
+      split.set_opposite(static_cast<Index>(h), null());
+    for (std::size_t h = 0; h < m_image.size(); ++h) {
+      if (opposite(h) == null())
+        continue;
+      const Index image = m_image[h], other = m_image[opposite(h)];
+      if (m_new_vertex[h] == null())
+        split.set_opposite(image, other);
+      else {
+        split.set_opposite(image, static_cast<Index>(other + 1));
+        split.set_opposite(static_cast<Index>(image + 1), other);
+      }
+    }
+  }
 
   // Goes from vertex to vertex and stamps the ends of edges that are met.
   void find_double_edges()
   {
     const std::size_t n = m_polygons.num_vertices();
-    std::vector<Index> first_edge(n, null()), next_edge(m_opposite.size()), stamp(n, null());
-    for (std::size_t i = m_opposite.size(); i-- > 0;) { // each edge at the smaller one of its ends
+    std::vector<Index> first_edge(n, null()), next_edge(m_polygons.num_halfedges()), stamp(n, null());
+    for (std::size_t i = m_polygons.num_halfedges(); i-- > 0;) { // each edge at the smaller one of its ends
       const Index h = static_cast<Index>(i);
-      if (m_opposite[h] < h)
+      if (opposite(h) < h)
         continue;
       const Index v = (std::min)(m_polygons.vertex(h), target(h));
       next_edge[h] = first_edge[v];
@@ -124,13 +124,12 @@ private:
   {
     const std::size_t x = m_polygons.num_vertices() + m_split.size();
     m_new_vertex[h] = static_cast<Index>(x);
-    if (m_opposite[h] != null())
-      m_new_vertex[m_opposite[h]] = static_cast<Index>(x);
+    if (opposite(h) != null())
+      m_new_vertex[opposite(h)] = static_cast<Index>(x);
     m_split.push_back(h);
   }
 
   const Polygon_list<Index>& m_polygons;
-  const Large_array<Index>& m_opposite;
   std::vector<Index> m_new_vertex; // on the edge of each halfedge
   std::vector<Index> m_split;      // the halfedge from u to v of each new vertex
   std::vector<Index> m_image;      // the first half of each halfedge

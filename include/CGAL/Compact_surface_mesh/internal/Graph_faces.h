@@ -12,7 +12,6 @@
 
 #include <CGAL/Compact_surface_mesh/Mesh_defect_exception.h>
 #include <CGAL/Compact_surface_mesh/internal/Halfedge_matching.h>
-#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
 #include <CGAL/Compact_surface_mesh/internal/Polygon_list.h>
 #include <CGAL/Compact_surface_mesh/internal/for_each_side.h>
 
@@ -28,6 +27,10 @@
 #include <vector>
 
 namespace CGAL {
+
+template <class Index>
+class Corner_table;
+
 namespace internal {
 
 // The faces of a graph and their halfedges, as Polygon_list numbers them: face by face in the
@@ -71,30 +74,34 @@ public:
   // that is how the graph pairs them. It is not so if several edges have the same ends: either
   // two halfedges have the same direction, or two from a border are taken for one edge.
   template <class Index, class Faces>
-  bool pair_by_ends(Halfedge_matching<Index, Faces>& matching, const Large_array<Index>& opposite) const
+  bool pair_by_ends(Halfedge_matching<Index, Faces>& matching, const Faces& faces) const
   {
-    const auto num_borders = static_cast<std::ptrdiff_t>(m_num_borders);
-    return matching.pair_by_ends() && std::count(opposite.begin(), opposite.end(), matching.null()) == num_borders;
+    if (!matching.pair_by_ends())
+      return false;
+    std::size_t num_borders = 0;
+    for (std::size_t h = 0; h < faces.num_halfedges(); ++h)
+      num_borders += faces.opposite(static_cast<Index>(h)) == matching.null() ? 1 : 0;
+    return num_borders == m_num_borders;
   }
 
   // Pairs halfedges as the graph does.
   template <class Index>
-  void pair(Large_array<Index>& opposite) const
+  void pair(Polygon_list<Index>& list) const
   {
     auto number = get(dynamic_halfedge_property_t<Index>(), m_graph);
     for_each_side(m_graph, [&](std::size_t i, halfedge_descriptor h) { put(number, h, static_cast<Index>(i)); });
     for_each_side(m_graph, [&](std::size_t i, halfedge_descriptor h) {
-      opposite[i] = has_face_opposite(h) ? get(number, opposite_of(h)) : Polygon_list<Index>::null();
+      list.set_opposite(static_cast<Index>(i), has_face_opposite(h) ? get(number, opposite_of(h)) : list.null());
     });
   }
 
   // The triangle of a halfedge that has an opposite one by its ends, but none in the graph.
   template <class Index>
-  std::size_t triangle_at_false_pair(const Large_array<Index>& opposite) const
+  std::size_t triangle_at_false_pair(const Corner_table<Index>& table) const
   {
-    std::size_t found = opposite.size();
+    std::size_t found = table.num_halfedges();
     for_each_side(m_graph, [&](std::size_t i, halfedge_descriptor h) {
-      if (opposite[i] != Polygon_list<Index>::null() && !has_face_opposite(h))
+      if (table.opposite(static_cast<Index>(i)) != table.null() && !has_face_opposite(h))
         found = (std::min)(found, i);
     });
     return found / 3;

@@ -27,7 +27,8 @@ namespace internal {
 // them from being an oriented manifold.
 //
 // `Faces` numbers the corners of faces, each of which is also the halfedge that starts
-// there, and answers num_vertices(), vertex(), next(), prev() and face() of a corner.
+// there, answers num_vertices(), num_halfedges(), and vertex(), next(), prev(), face() and opposite() of a corner,
+// and has set_opposite(), which receives the pairs.
 template <class Index, class Faces>
 class Halfedge_matching
 {
@@ -36,15 +37,14 @@ class Halfedge_matching
 public:
   static constexpr Index null() { return (std::numeric_limits<Index>::max)(); }
 
-  // `opposite` receives the pairs; it has an element, of any value, per corner.
-  Halfedge_matching(const Faces& faces, Large_array<Index>& opposite)
-    : m_faces(faces), m_opposite(opposite), m_corner(faces.num_vertices(), null()),
-      m_incoming(faces.num_vertices(), null()), m_fans(faces, opposite)
+  explicit Halfedge_matching(Faces& faces)
+    : m_faces(faces), m_corner(faces.num_vertices(), null()), m_incoming(faces.num_vertices(), null()), m_fans(faces)
   {
-    for (std::size_t i = m_opposite.size(); i-- > 0;) {
-      Index& first = m_corner[m_faces.vertex(static_cast<Index>(i))];
-      m_opposite[i] = first;
-      first = static_cast<Index>(i);
+    for (std::size_t i = m_faces.num_halfedges(); i-- > 0;) {
+      const Index c = static_cast<Index>(i);
+      Index& first = m_corner[m_faces.vertex(c)];
+      m_faces.set_opposite(c, first);
+      first = c;
     }
   }
 
@@ -52,8 +52,8 @@ public:
   // if two of them have the same direction.
   //
   // Goes from vertex to vertex: those that end at v are noted at their sources, where those
-  // that start at v find them. Until the turn of its vertex comes, the entry of a corner in
-  // m_opposite links the corners of that vertex. Its fans are looked at while all that is in the cache.
+  // that start at v find them. Until the turn of its vertex comes, the opposite of a corner is
+  // the next corner of that vertex. Its fans are looked at while all that is in the cache.
   bool pair_by_ends()
   {
     std::array<std::vector<Wedge>, batch_size> batch;
@@ -81,7 +81,7 @@ public:
     const Index u = m_faces.vertex(m_conflict);
     std::size_t num_faces_at_edge = 0;
     Index corners[2] = { null(), null() };
-    for (Index c = m_corner[target(m_conflict)]; c != null(); c = m_opposite[c])
+    for (Index c = m_corner[target(m_conflict)]; c != null(); c = m_faces.opposite(c))
       if (m_faces.vertex(m_faces.next(c)) == u || m_faces.vertex(m_faces.prev(c)) == u) {
         if (num_faces_at_edge < 2)
           corners[num_faces_at_edge] = c;
@@ -121,7 +121,7 @@ private:
           continue;
         found = true;
         batch[i].push_back({ c, m_faces.vertex(m_faces.prev(c)), target(c) });
-        corner[i] = m_opposite[c];
+        corner[i] = m_faces.opposite(c);
       }
     }
   }
@@ -137,7 +137,7 @@ private:
       }
     for (const Wedge& w : wedges) {
       const Index p = m_incoming[w.target];
-      m_opposite[w.corner] = p != null() && target(p) == v ? p : null();
+      m_faces.set_opposite(w.corner, p != null() && target(p) == v ? p : null());
     }
     return true;
   }
@@ -158,8 +158,7 @@ private:
     return true;
   }
 
-  const Faces& m_faces;
-  Large_array<Index>& m_opposite;
+  Faces& m_faces;
   Large_array<Index> m_corner;   // of each vertex: the first one
   Large_array<Index> m_incoming; // halfedge that was noted last at each source
   Index m_conflict = null();
@@ -168,9 +167,9 @@ private:
 
 // Pairs halfedges by their ends, and checks that the faces are an oriented manifold.
 template <class Index, class Faces>
-void match_halfedges(const Faces& faces, Large_array<Index>& opposite)
+void match_halfedges(Faces& faces)
 {
-  Halfedge_matching<Index, Faces> matching(faces, opposite);
+  Halfedge_matching<Index, Faces> matching(faces);
   if (!matching.pair_by_ends())
     throw Mesh_defect_exception(matching.conflict(), matching.face_of_conflict());
   matching.check_vertices();

@@ -11,7 +11,7 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/Mesh_defect_exception.h>
-#include <CGAL/Compact_surface_mesh/internal/Large_array.h>
+#include <CGAL/Compact_surface_mesh/internal/Paired_corners.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,8 +35,8 @@ public:
     : m_num_vertices(num_vertices)
   {
     check_counts(num_vertices, num_faces);
-    m_vertex.reserve(3 * num_faces + 6); // room for one split_face(), so that closing a mesh does not copy it
-    m_vertex.resize(3 * num_faces);
+    m_corner.reserve(3 * num_faces + 6); // room for one split_face(), so that closing a mesh does not copy it
+    m_corner.resize(3 * num_faces);
   }
 
   // Throws if a corner table with so many vertices and triangles has too many of them.
@@ -75,10 +75,10 @@ public:
       throw Mesh_defect_exception(Mesh_defect::index_out_of_range, num_faces());
     if (a == b || b == c || c == a)
       throw Mesh_defect_exception(Mesh_defect::repeated_vertex, num_faces());
-    Index* const corners = new_corners(3);
-    corners[0] = static_cast<Index>(a);
-    corners[1] = static_cast<Index>(b);
-    corners[2] = static_cast<Index>(c);
+    Paired_corner<Index>* const corners = new_corners(3);
+    corners[0].vertex = static_cast<Index>(a);
+    corners[1].vertex = static_cast<Index>(b);
+    corners[2].vertex = static_cast<Index>(c);
     if (!m_first.empty())
       end_polygon(3);
   }
@@ -98,9 +98,9 @@ public:
     if (m_polygon.size() < 3)
       throw Mesh_defect_exception(Mesh_defect::degenerate_face, num_faces());
     check_vertices_differ();
-    Index* const corners = new_corners(m_polygon.size());
+    Paired_corner<Index>* const corners = new_corners(m_polygon.size());
     for (std::size_t i = 0; i < m_polygon.size(); ++i)
-      corners[i] = static_cast<Index>(m_polygon[i]);
+      corners[i].vertex = static_cast<Index>(m_polygon[i]);
     end_polygon(m_polygon.size());
   }
 
@@ -118,18 +118,20 @@ public:
   std::size_t num_faces() const { return m_first.empty() ? m_num_corners / 3 : m_first.size() - 1; }
   std::size_t num_halfedges() const { return m_num_corners; }
 
-  // Gives the vertices of all corners away.
-  Large_array<Index> release_vertices()
+  // Gives all corners away.
+  Paired_corners<Index> release_corners()
   {
-    m_vertex.resize(m_num_corners);
-    return std::move(m_vertex);
+    m_corner.resize(m_num_corners);
+    return std::move(m_corner);
   }
   // Takes them back.
-  void restore_vertices(Large_array<Index>&& vertex) { m_vertex = std::move(vertex); }
+  void restore_corners(Paired_corners<Index>&& corners) { m_corner = std::move(corners); }
 
   bool has_triangles_only() const { return m_first.empty(); }
 
-  Index vertex(Index c) const { return m_vertex[c]; }
+  Index vertex(Index c) const { return m_corner[c].vertex; }
+  Index opposite(Index c) const { return m_corner[c].opposite; }
+  void set_opposite(Index c, Index opposite) { m_corner[c].opposite = opposite; }
   Index face(Index c) const { return m_face[c]; }
   Index first(Index f) const { return m_first[f]; }
   Index end(Index f) const { return m_first[f + 1]; }
@@ -159,13 +161,13 @@ private:
     return size == 3;
   }
 
-  Index* new_corners(std::size_t size)
+  Paired_corner<Index>* new_corners(std::size_t size)
   {
     const std::size_t begin = m_num_corners;
     m_num_corners += size;
-    if (m_num_corners > m_vertex.size())
-      m_vertex.resize(m_num_corners);
-    return m_vertex.data() + begin;
+    if (m_num_corners > m_corner.size())
+      m_corner.resize(m_num_corners);
+    return m_corner.data() + begin;
   }
 
   void index_faces()
@@ -206,7 +208,7 @@ private:
   std::size_t m_num_vertices;
   std::size_t m_num_corners = 0;
   std::size_t m_num_triangles = 0; // that the faces make at least; counted if some are polygons
-  Large_array<Index> m_vertex;     // of each corner, and more
+  Paired_corners<Index> m_corner;  // and more; halfedges are paired later
   std::vector<std::size_t> m_polygon; // that is being read
   std::vector<Index> m_first;      // corner of each face, and the number of corners; empty for triangles
   std::vector<Index> m_face;       // of each corner

@@ -30,7 +30,7 @@ class Vertex_fans
 public:
   static constexpr Index null() { return (std::numeric_limits<Index>::max)(); }
 
-  Vertex_fans(const Faces& faces, const Large_array<Index>& opposite) : m_faces(faces), m_opposite(opposite) {}
+  explicit Vertex_fans(const Faces& faces) : m_faces(faces) {}
 
   // Adds a vertex by all of its corners, at least one: a vector of what converts to Index. The halfedges that
   // start there are paired.
@@ -42,7 +42,7 @@ public:
     std::size_t size = 0;
     do {
       ++size;
-      c = m_opposite[c] == null() ? null() : m_faces.next(m_opposite[c]);
+      c = m_faces.opposite(c) == null() ? null() : m_faces.next(m_faces.opposite(c));
     } while (c != first && c != null() && size < corners.size());
     if (c == null())
       add_open(v, corners);
@@ -78,7 +78,7 @@ private:
   {
     const std::size_t num_borders = m_borders.size();
     for (const Index c : corners)
-      if (m_opposite[c] == null())
+      if (m_faces.opposite(c) == null())
         m_borders.push_back(c);
     m_open.push_back({ v, corners.size(), m_borders.size() - num_borders });
   }
@@ -87,13 +87,12 @@ private:
   std::size_t size_of_fan(Index c) const
   {
     std::size_t size = 0;
-    for (; c != null(); c = m_opposite[m_faces.prev(c)])
+    for (; c != null(); c = m_faces.opposite(m_faces.prev(c)))
       ++size;
     return size;
   }
 
   const Faces& m_faces;
-  const Large_array<Index>& m_opposite;
   Index m_nonmanifold = null();     // the first one of those without an open fan at the first corner
   std::vector<Open_vertex> m_open;
   std::vector<Index> m_borders;     // of these, the corners from which fans are open clockwise
@@ -101,17 +100,18 @@ private:
 
 // Throws if a vertex has closed and other fans, whatever pairs the halfedges.
 template <class Index, class Faces>
-void check_vertices(const Faces& faces, const Large_array<Index>& opposite)
+void check_vertices(const Faces& faces)
 {
+  const std::size_t num_corners = faces.num_halfedges();
   std::vector<std::size_t> end(faces.num_vertices() + 1, 0); // of the corners of each vertex, in `sorted`
-  for (std::size_t c = 0; c < opposite.size(); ++c)
+  for (std::size_t c = 0; c < num_corners; ++c)
     ++end[faces.vertex(static_cast<Index>(c)) + 1];
   for (std::size_t v = 1; v < end.size(); ++v)
     end[v] += end[v - 1];
-  Large_array<Index> sorted(opposite.size());
-  for (std::size_t c = 0; c < opposite.size(); ++c)
+  Large_array<Index> sorted(num_corners);
+  for (std::size_t c = 0; c < num_corners; ++c)
     sorted[end[faces.vertex(static_cast<Index>(c))]++] = static_cast<Index>(c);
-  Vertex_fans<Index, Faces> fans(faces, opposite);
+  Vertex_fans<Index, Faces> fans(faces);
   std::vector<Index> corners;
   auto first = sorted.begin();
   for (std::size_t v = 0; v < faces.num_vertices(); ++v) {
