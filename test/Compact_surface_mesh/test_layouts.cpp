@@ -69,6 +69,48 @@ TEST(Schnyder_parents_layout, keeps_red_siblings_consecutive_and_the_root_face_l
     }
 }
 
+// What a layout of a triangulation that was renumbered answers wrongly, or nothing.
+template <class Layout>
+std::string difference_when_renumbered(const test::Polygon_soup& soup, bool wants_halfedges)
+{
+  typedef typename Layout::Index Index;
+  CGAL::Closed_triangulation<Index> closed(CGAL::Simple_triangulation<Index>(soup.num_vertices, soup.faces));
+  CGAL::Input_images<Index> images;
+  images.wants_halfedges = wants_halfedges;
+  closed.renumber(wants_halfedges);
+  const Layout layout(std::move(closed), images);
+  return test::Surface_oracle<Layout>(layout, soup, images.vertices, images.halfedges).difference();
+}
+
+TEST(Schnyder_parents_layout, of_a_renumbered_triangulation_is_that_of_the_input)
+{
+  test::Surface_options triangles;
+  triangles.has_polygons = false;
+  for (unsigned int seed = 0; seed < test::scaled(1000) + 10; ++seed) {
+    const test::Polygon_soup soup = test::random_surface(seed, triangles);
+    ASSERT_EQ(difference_when_renumbered<CGAL::Schnyder_parents_layout<>>(soup, true), "") << seed;
+    ASSERT_EQ(difference_when_renumbered<CGAL::Schnyder_parents_layout<6>>(soup, false), "") << seed;
+  }
+}
+
+TEST(Closed_triangulation, is_scattered_if_large_and_in_a_bad_order)
+{
+  const auto is_scattered = [](const test::Soup& soup) {
+    return CGAL::Closed_triangulation<>(CGAL::Corner_table<>(soup.num_vertices, soup.triangles)).is_scattered();
+  };
+  const test::Soup large = test::octasphere(7);
+  EXPECT_FALSE(is_scattered(large));
+  EXPECT_TRUE(is_scattered(test::shuffled(large, 1)));
+  EXPECT_FALSE(is_scattered(test::shuffled(test::octasphere(4), 1)));
+  EXPECT_FALSE(CGAL::Closed_triangulation<>().is_scattered());
+}
+
+TEST(Schnyder_parents_layout, of_a_scattered_mesh_is_that_of_the_input)
+{
+  const test::Soup soup = test::shuffled(test::octasphere(7), 1);
+  EXPECT_EQ(test::difference_from_soup<CGAL::Schnyder_parents_layout<>>(test::soup_of(soup)), "");
+}
+
 // What an Input_order_layout renumbers of a soup, or nothing.
 template <class Layout>
 std::string renumbered(const test::Polygon_soup& soup, bool are_faces_kept)

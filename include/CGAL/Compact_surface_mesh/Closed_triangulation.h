@@ -12,8 +12,11 @@
 
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
 #include <CGAL/Compact_surface_mesh/Simple_triangulation.h>
+#include <CGAL/Compact_surface_mesh/internal/Breadth_first_renumbering.h>
 #include <CGAL/Compact_surface_mesh/internal/Emptied_on_move.h>
 #include <CGAL/Compact_surface_mesh/internal/Large_array.h>
+
+#include <CGAL/assertions.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -43,7 +46,7 @@ user's.
   gets a <em>copy</em> of the vertex. So no border passes a vertex twice.
 - Diagonals of polygons and what else a `Simple_triangulation` hides remain as they are.
 
-The vertices are, in this order: those of the `Simple_triangulation`, the user's ones first;
+Unless it is renumbered, the vertices are, in this order: those of the `Simple_triangulation`, the user's ones first;
 the copies; and the apices. The triangles of the `Simple_triangulation` come first, and
 those around apices after them.
 
@@ -143,16 +146,50 @@ public:
   std::size_t first_apex() const { return m_first_copy + m_copies.size(); }
 
   /// returns where the halfedge `h` of the triangulation that was closed is now.
+  /// \pre If the triangulation was renumbered, that was remembered.
   Index current_halfedge(Index h) const
   {
-    const Index f = Table::face(h);
-    return is_split(f) ? table().halfedge_of_split_face(h) : h;
+    const Index c = m_current_face.empty() ? h : static_cast<Index>(3 * m_current_face[Table::face(h)] + h % 3);
+    return is_split(Table::face(c)) ? table().halfedge_of_split_face(c) : c;
   }
+
+  /// returns which vertex is now the vertex `v` of the triangulation that was closed.
+  Index current_vertex(Index v) const { return m_current_vertex.empty() ? v : m_current_vertex[v]; }
+
+  /// returns whether vertices have other numbers than in the triangulation that was closed.
+  bool is_renumbered() const { return !m_current_vertex.empty(); }
 
   /// returns whether the edge of `h`, which does not end at an apex, is hidden.
   bool is_hidden(Index h) const
   {
     return m_simple.is_hidden(Table::face(h) < m_num_open_faces ? h : table().opposite(h));
+  }
+
+  /// returns whether it gains time to renumber it: neighbors stand far from each other in memory, and nothing is hidden
+  /// in the triangulation that was closed. It looks at no more than a thousand edges.
+  bool is_scattered() const
+  {
+    return !m_simple.has_hidden() && internal::Breadth_first_renumbering<Index>::is_scattered(table());
+  }
+
+  /*!
+  renumbers vertices and triangles such that neighbors stand close to each other, in linear time: in breadth-first
+  order, but copies, apices and the triangles at these remain behind all others. For layouts with an order of their own.
+  \param remembers_halfedges whether `current_halfedge()` will be asked for, which takes an index per face
+  \pre Nothing is hidden in the triangulation that was closed, which has not been renumbered before.
+  */
+  void renumber(bool remembers_halfedges)
+  {
+    CGAL_precondition(!m_simple.has_hidden() && !is_renumbered());
+    internal::Breadth_first_renumbering<Index> numbers(table(), m_num_open_faces, m_first_copy);
+    for (Index& v : m_copies)
+      v = numbers.vertex(v);
+    for (Root& root : m_roots)
+      root.base = numbers.halfedge(root.base);
+    m_simple.table().m_corner = numbers.release_corners();
+    m_current_vertex = numbers.release_vertices();
+    if (remembers_halfedges)
+      m_current_face = numbers.release_faces();
   }
 
   /// removes the caps: components without border have no roots from now on.
@@ -294,6 +331,7 @@ private:
   std::vector<Index> m_copies;
   std::vector<Root> m_roots;
   std::vector<Component> m_components;
+  internal::Large_array<Index> m_current_vertex, m_current_face; // empty if they are as they were
 };
 
 } // namespace CGAL

@@ -28,7 +28,13 @@
 namespace CGAL {
 
 template <class Index>
+class Closed_triangulation;
+template <class Index>
 class Simple_triangulation;
+namespace internal {
+template <class Index>
+class Breadth_first_renumbering;
+}
 
 /*!
 \ingroup PkgCompactSurfaceMeshRef
@@ -288,7 +294,9 @@ public:
   /// @}
 
 private:
+  friend class Closed_triangulation<Index>;
   friend class Simple_triangulation<Index>;
+  friend class internal::Breadth_first_renumbering<Index>;
   friend class internal::Halfedge_matching<Index, Corner_table>;
 
   // Takes the list apart. Halfedges remain to be paired.

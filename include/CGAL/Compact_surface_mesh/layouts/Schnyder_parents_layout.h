@@ -127,6 +127,8 @@ public:
   {
     if (t.first_apex() > max_vertices())
       throw Mesh_defect_exception(Mesh_defect::too_many_elements, t.first_apex());
+    if (t.is_scattered())
+      t.renumber(images.wants_halfedges);
     const internal::Schnyder_wood wood = internal::shelled_wood(t, order, seed);
     internal::Schnyder_parents_builder<References, Index> builder(t, wood, m_records, m_numbering);
     builder();

@@ -170,6 +170,12 @@ public:
   {
     images.vertices = std::move(vertices);
     images.vertices.resize(t.simple().num_user_vertices());
+    if (t.is_renumbered()) {
+      std::vector<Index> renumbered(images.vertices.size());
+      for (std::size_t v = 0; v < renumbered.size(); ++v)
+        renumbered[v] = images.vertices[t.current_vertex(static_cast<Index>(v))];
+      images.vertices.swap(renumbered);
+    }
     if (!empty())
       for (Index& v : images.vertices)
         v = vertex(v);
