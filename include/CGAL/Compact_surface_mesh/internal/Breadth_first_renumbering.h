@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <utility>
 
 namespace CGAL {
@@ -70,7 +69,7 @@ public:
       return false;
     std::size_t num_far = 0;
     for (std::size_t i = 0; i < num_samples; ++i) {
-      const std::size_t h = i * (table.num_halfedges() / num_samples);
+      const std::size_t h = i * (table.num_halfedges() / num_samples) + i % 3; // the places in faces take turns
       const Index o = table.opposite(static_cast<Index>(h));
       const std::size_t f = h / 3, g = o == Table::null() ? f : Table::face(o);
       num_far += (std::max)(f, g) - (std::min)(f, g) > far ? 1 : 0;
