@@ -126,6 +126,10 @@ endif()
 # Every structure gives the same results in the benchmark's kernels, of which no time is asked here.
 if(COMPACT_SURFACE_MESH_BUILD_BENCHMARKS)
   add_test(NAME benchmark.speed COMMAND benchmark_speed 1000 --inputs "random|terrain" --rounds 1)
+  if(COMPACT_SURFACE_MESH_LONG_TESTS)
+    add_test(NAME benchmark.end_to_end COMMAND benchmark_end_to_end 1000 --inputs "random|terrain" --rounds 1)
+    set_tests_properties(benchmark.end_to_end PROPERTIES LABELS long TIMEOUT 1500)
+  endif()
 endif()
 
 # The manual builds, and any warning fails.
