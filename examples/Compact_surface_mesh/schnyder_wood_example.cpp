@@ -3,6 +3,7 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Schnyder_woods.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <algorithm>
 #include <array>
