@@ -76,7 +76,10 @@ TEST(Conformance_shapes, smoothing_and_fairing)
     PMP::smooth_shape(mesh, 0.01, parameters::number_of_iterations(2));
     return points(m, mesh);
   }, test::solving);
-  expect_same_answers(test::connected_triangle_pairs(), [](const auto& m) {
+  // At borders, CGAL 6.0 asserts of Surface_mesh, too, that they are triangles: Weights/cotangent_weights.h, line 357.
+  const test::Mesh_pairs pairs_to_fair =
+    CGAL::internal::is_with_cgal_6 ? test::connected_closed_pairs() : test::connected_triangle_pairs();
+  expect_same_answers(pairs_to_fair, [](const auto& m) {
     Mesh_of<decltype(m)> mesh = m.mesh;
     std::vector<typename Mesh_of<decltype(m)>::Vertex_index> region;
     for (const auto v : m.vertices())
