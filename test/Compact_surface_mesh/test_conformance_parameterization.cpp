@@ -11,6 +11,7 @@
 
 #include "temporary_file.h"
 
+#include <CGAL/Compact_surface_mesh/internal/versions_of_cgal.h>
 #include <CGAL/Schnyder_woods/cut_graph.h>
 
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
@@ -224,9 +225,11 @@ TEST(Conformance_parameterization, along_a_cut_graph)
   expect_same_parameterization_along_cut(Make<SMP::LSCM_parameterizer_3>());
 }
 
+// CGAL 6.0 asks for the weight of one halfedge of each edge, which the indices of its ends choose, and border halfedges
+// have none: operator() of Cotangent_weight in Weights/cotangent_weights.h. So the order of vertices matters.
 TEST(Conformance_parameterization, orbifolds)
 {
-  expect_same_answer(test::sphere_pair(), [](const auto& m) {
+  const auto places_of_orbifolds = [](const auto& m) {
     typedef std::decay_t<decltype(m)> Named;
     typedef Mesh_of<Named> Mesh;
     Answer answer;
@@ -256,7 +259,11 @@ TEST(Conformance_parameterization, orbifolds)
         answer << get(uv, target(typename Mesh_with_seams<Named>::Seam_halfedge(h), cut.seam_mesh));
     }
     return answer;
-  }, test::solving);
+  };
+  if (CGAL::internal::is_with_cgal_6)
+    expect_same_answer_in_same_order(test::sphere_pair(), places_of_orbifolds);
+  else
+    expect_same_answer(test::sphere_pair(), places_of_orbifolds, test::solving);
 }
 
 // By their indices in a file, in the order of the mesh or in that of a map.
