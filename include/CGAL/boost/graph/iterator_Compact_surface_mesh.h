@@ -109,7 +109,7 @@ public:
   BOOST_FORCEINLINE bool equals(const Mesh& g, const Around_face_vertices& other) const
   {
     if (BOOST_LIKELY(m_start == other.m_start))
-      return m_count == other.m_count && (m_halfedge == other.m_halfedge || is_in_triangle(g));
+      return m_count == other.m_count && m_halfedge == other.m_halfedge;
     return is_same(g, *this, other);
   }
 
