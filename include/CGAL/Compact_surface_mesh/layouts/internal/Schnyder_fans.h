@@ -10,6 +10,8 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
+#include <CGAL/Compact_surface_mesh/layouts/internal/Search_directory.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -51,6 +53,7 @@ public:
                            fans[j + 1 == end ? i : j + 1].second });
     }
     std::sort(m_fans.begin(), m_fans.end(), [](const Fan& a, const Fan& b) { return a.record < b.record; });
+    m_search = Search_directory<Index>(m_fans.size(), record_at());
   }
 
   bool empty() const { return m_fans.empty(); }
@@ -60,12 +63,12 @@ public:
   // The fan with record x, null if the vertex has no other one.
   const Fan* find(Index x) const
   {
-    const auto it = position(x);
-    return it == m_fans.end() || it->record != x ? nullptr : &*it;
+    const std::size_t i = position(x);
+    return i == m_fans.size() || m_fans[i].record != x ? nullptr : &m_fans[i];
   }
 
   // The same if it is known to be there.
-  const Fan& operator[](Index x) const { return *position(x); }
+  const Fan& operator[](Index x) const { return m_fans[position(x)]; }
 
   // The records that have no vertex, sorted.
   std::vector<Index> further_fans() const
@@ -77,15 +80,17 @@ public:
     return result;
   }
 
-  std::size_t bytes() const { return m_fans.capacity() * sizeof(Fan); }
+  std::size_t bytes() const { return m_fans.capacity() * sizeof(Fan) + m_search.bytes(); }
 
 private:
-  typename std::vector<Fan>::const_iterator position(Index x) const
+  auto record_at() const
   {
-    return std::lower_bound(m_fans.begin(), m_fans.end(), x, [](const Fan& f, Index y) { return f.record < y; });
+    return [this](std::size_t i) { return m_fans[i].record; };
   }
+  std::size_t position(Index x) const { return m_search.lower_bound(m_fans.size(), x, record_at()); }
 
   std::vector<Fan> m_fans; // sorted by records
+  Search_directory<Index> m_search;
 };
 
 } // namespace internal

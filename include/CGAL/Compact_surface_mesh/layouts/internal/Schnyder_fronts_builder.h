@@ -130,6 +130,8 @@ private:
     m_number.resize(m_num_vertices + names.size());
     for (std::size_t i = 0; i < names.size(); ++i)
       m_number[names[i]] = static_cast<Index>(m_num_vertices + i);
+    m_numbering.search_sectors = Search_directory<Index>(
+      names.size(), [&](std::size_t i) { return m_number[m_sectors.vertex_of_further(names[i])]; });
   }
 
   void write_fronts(All_fronts& fronts) const

@@ -16,6 +16,7 @@
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_sectors.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_side.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_special_copies.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Search_directory.h>
 
 #include <cstddef>
 #include <limits>
@@ -36,6 +37,7 @@ struct Schnyder_fronts_numbering
   Live_slots<Index> vertices, edges, faces;
   Schnyder_special_copies<Index> copies;
   Schnyder_fans<Index> fans;
+  Search_directory<Index> search_sectors; // by their vertices
 
   // The slots of edges are named by their records and k = 0, 2, 4 for red, blue, black; owner is 0 for A and 1 for B.
   static Index edge_slot(Index x, unsigned k) { return static_cast<Index>(3 * x + k / 2); }
@@ -52,7 +54,8 @@ struct Schnyder_fronts_numbering
 
   std::size_t bytes() const
   {
-    return vertices.bytes() + edges.bytes() + faces.bytes() + copies.bytes() + fans.bytes();
+    return vertices.bytes() + edges.bytes() + faces.bytes() + copies.bytes() + fans.bytes()
+           + search_sectors.bytes();
   }
 };
 
@@ -85,7 +88,8 @@ struct Schnyder_fronts_zone
   Index vertex(Index x) const { return x < n.sectors ? x : r.record_at(x, Records::red_left); }
   Index last_sector(Index x) const
   {
-    return last_sector_of<Index>(x, n.sectors, n.end, [this](Index s) { return vertex(s); });
+    return last_sector_of<Index>(x, n.sectors, n.end - n.sectors, n.search_sectors,
+                                 [this](Index s) { return vertex(s); });
   }
 
   Index first_fan(Index x) const

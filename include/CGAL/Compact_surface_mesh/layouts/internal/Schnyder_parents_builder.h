@@ -361,6 +361,9 @@ private:
       for (Index child = m_records.first_child(x); child <= m_records.last_child(x); ++child)
         set_index(child, 0, x);
     }
+    m_numbering.search_sectors = Search_directory<Index>(num_further, [this](std::size_t i) {
+      return m_records.red_parent(static_cast<Index>(m_num_vertices + i));
+    });
   }
 
   // Replaces what the records hold of the names of vertices and sectors by records.

@@ -14,6 +14,7 @@
 #include <CGAL/Compact_surface_mesh/layouts/internal/Filled_slots.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_fans.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_special_copies.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Search_directory.h>
 
 #include <cstddef>
 
@@ -44,6 +45,7 @@ struct Schnyder_parents_numbering
   Filled_slots<Index> vertices, edges, faces;
   Schnyder_special_copies<Index> copies;
   Schnyder_fans<Index> fans;
+  Search_directory<Index> search_sectors; // by their vertices
 
   bool on_border(Index x) const { return border <= x && x < isolated; }
 
@@ -83,7 +85,8 @@ struct Schnyder_parents_numbering
 
   std::size_t bytes() const
   {
-    return vertices.bytes() + edges.bytes() + faces.bytes() + copies.bytes() + fans.bytes();
+    return vertices.bytes() + edges.bytes() + faces.bytes() + copies.bytes() + fans.bytes()
+           + search_sectors.bytes();
   }
 
 private:

@@ -32,14 +32,15 @@ struct Schnyder_parents_zone
   bool is_irregular(Index x) const { return r.is_irregular(x); }
   bool on_border(Index x) const { return n.on_border(x); }
   Index vertex(Index x) const { return x < n.sectors ? x : r.red_parent(x); }
-  Index first_fan(Index x) const { return r.has_more_fans(x) ? n.fans[x].first : x; }
+  Index first_fan(Index x) const { return x >= n.border && r.has_more_fans(x) ? n.fans[x].first : x; }
   Index next_fan(Index x) const { return r.has_more_fans(x) ? n.fans[x].next : x; }
   Index prev_fan(Index x) const { return r.has_more_fans(x) ? n.fans[x].prev : x; }
   Index last_sector(Index x) const
   {
     if (!r.has_more_sectors(x))
       return x;
-    return last_sector_of<Index>(x, n.sectors, n.end, [this](Index s) { return r.red_parent(s); });
+    return last_sector_of<Index>(x, n.sectors, n.end - n.sectors, n.search_sectors,
+                                 [this](Index s) { return r.red_parent(s); });
   }
 
   Schnyder_face<Index> face_of_slot(Index slot) const { return n.face_of_slot(slot); }

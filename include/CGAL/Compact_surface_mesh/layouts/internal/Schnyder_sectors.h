@@ -11,6 +11,7 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Search_directory.h>
 #include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
 
 #include <boost/config.hpp>
@@ -35,20 +36,18 @@ Large_array<Index> red_edges_out(const Corner_table<Index>& table, const Schnyde
   return result;
 }
 
-// The last sector of a vertex x, whose further sectors are among those in [begin, end), which are sorted by
-// their vertices, vertex(s).
+// The last sector of a vertex x, whose further sectors are among those from `begin` on, `size` in all, which are sorted by
+// their vertices, vertex(s). `search` is the directory of these.
 template <class Index, class VertexOfSector>
-Index last_sector_of(Index x, Index begin, Index end, const VertexOfSector& vertex)
+Index last_sector_of(Index x, Index begin, std::size_t size, const Search_directory<Index>& search,
+                     const VertexOfSector& vertex)
 {
-  const Index first = begin;
-  while (begin < end) {
-    const Index middle = begin + (end - begin) / 2;
-    if (vertex(middle) <= x)
-      begin = middle + 1;
-    else
-      end = middle;
-  }
-  return begin != first && vertex(begin - 1) == x ? static_cast<Index>(begin - 1) : x;
+  const std::size_t end = search.lower_bound(size, static_cast<Index>(x + 1),
+                                             [&](std::size_t i) { return vertex(static_cast<Index>(begin + i)); });
+  if (end == 0)
+    return x;
+  const Index last = static_cast<Index>(begin + (end - 1));
+  return vertex(last) == x ? last : x;
 }
 
 // The sectors of the vertices of a wood: what the special edges at a vertex and its red edge out

@@ -11,6 +11,7 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Search_directory.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_side.h>
 #include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
 
@@ -60,20 +61,26 @@ public:
     }
     std::sort(m_copies.begin(), m_copies.end(), [](const Copy& a, const Copy& b) { return a.slot < b.slot; });
     m_copies.shrink_to_fit();
+    m_search = Search_directory<Index>(m_copies.size(), slot_at());
   }
 
   // The copy with this slot, null if there is none.
   const Copy* find(Index slot) const
   {
-    const auto it = std::lower_bound(m_copies.begin(), m_copies.end(), slot,
-                                     [](const Copy& c, Index s) { return c.slot < s; });
-    return it == m_copies.end() || it->slot != slot ? nullptr : &*it;
+    const std::size_t i = m_search.lower_bound(m_copies.size(), slot, slot_at());
+    return i == m_copies.size() || m_copies[i].slot != slot ? nullptr : &m_copies[i];
   }
 
-  std::size_t bytes() const { return m_copies.capacity() * sizeof(Copy); }
+  std::size_t bytes() const { return m_copies.capacity() * sizeof(Copy) + m_search.bytes(); }
 
 private:
+  auto slot_at() const
+  {
+    return [this](std::size_t i) { return m_copies[i].slot; };
+  }
+
   std::vector<Copy> m_copies; // sorted by slots
+  Search_directory<Index> m_search;
 };
 
 } // namespace internal
