@@ -20,12 +20,14 @@
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_operators.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_records.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_sides.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_star.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_zone.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_triangles.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/wood_of_triangulation.h>
 #include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
 
 #include <boost/config.hpp>
+#include <boost/container/small_vector.hpp>
 
 #include <array>
 #include <cstddef>
@@ -79,12 +81,17 @@ class Schnyder_parents_layout
   typedef internal::Schnyder_parents_records<References, Index_> Records;
   typedef internal::Schnyder_parents_operators<Records, Index_, internal::Schnyder_core_zone<Index_>> Core;
   typedef typename Core::Side Side;
+  typedef typename Core::Face Face;
   typedef internal::Schnyder_parents_zone<Records, Index_> Zone;
+  typedef internal::Schnyder_parents_operators<Records, Index_, Zone> Outside;
   typedef internal::Schnyder_parents_numbering<Index_> Numbering;
-  typedef internal::Schnyder_triangles<internal::Schnyder_parents_operators<Records, Index_, Zone>, Numbering, Index_>
-    Triangles;
+  typedef internal::Schnyder_triangles<Outside, Numbering, Index_> Triangles;
   typedef internal::Mask<Index_, true> Mask;
   typedef internal::Masked_triangles<Triangles, Mask, Index_> Everything;
+  template <class Operators>
+  using Star = internal::Schnyder_parents_star<Operators, Index_>;
+  typedef boost::container::small_vector<Index_, 32> Neighbors;
+  typedef boost::container::small_vector<std::pair<Index_, Index_>, 32> Corners;
 
 public:
   /// the integer type of all indices.
@@ -143,6 +150,8 @@ public:
       x = triangles().vertex(x);
     if (t.simple().has_hidden())
       m_mask = Mask(triangles(), t, vertices, halfedges);
+    if (m_mask.empty())
+      m_numbering.keep_slots();
     m_mask.write_images(t, std::move(vertices), halfedges, images);
     t = Closed_triangulation<Index>();
   }
@@ -217,12 +226,18 @@ public:
     return face_outside(h);
   }
 
-  /// returns whether `h` is known to be a side of a triangle: so it is in the core.
-  bool is_in_triangle(Halfedge h) const { return is_in_core(h); }
+  /// returns whether `h` is known to be a side of a triangle: all are that are not on borders, unless there are
+  /// polygons or double edges; then those in the core.
+  BOOST_FORCEINLINE bool is_in_triangle(Halfedge h) const
+  {
+    return BOOST_LIKELY(is_in_core(h)) || is_in_triangle_outside(h);
+  }
 
   /// returns the vertices of the triangle of `h` counterclockwise, from its target on, if `is_in_triangle(h)`.
   BOOST_FORCEINLINE std::array<Index, 3> vertices_of_triangle(Halfedge h) const
   {
+    if (BOOST_UNLIKELY(!is_in_core(h)))
+      return vertices_of_triangle_outside(h);
     switch (h.remainder()) {
     case 0:
       return vertices_of_a(h.quotient());
@@ -283,12 +298,7 @@ public:
       for_each_adjacent_vertex_outside(v, visit);
       return;
     }
-    visit(m_records.red_parent(v));
-    for_each_in_black(v, visit);
-    visit(m_records.blue_parent(v));
-    for_each_child(v, visit);
-    visit(m_records.black_parent(v));
-    for_each_in_blue(v, visit);
+    Star<Core>(core(), v).for_each_neighbor(visit);
   }
 
   /// calls `visit(u, w)` for each face at `v`, once each, in no particular order, where `u` follows
@@ -300,23 +310,7 @@ public:
       for_each_incident_triangle_outside(v, visit);
       return;
     }
-    const Index red = m_records.red_parent(v), blue = m_records.blue_parent(v), black = m_records.black_parent(v);
-    Index last = red;
-    const auto counterclockwise = [&](Index u) {
-      visit(last, u);
-      last = u;
-    };
-    const auto clockwise = [&](Index u) {
-      visit(u, last);
-      last = u;
-    };
-    for_each_in_black(v, counterclockwise);
-    counterclockwise(blue);
-    for_each_child(v, counterclockwise);
-    counterclockwise(black);
-    last = red;
-    for_each_in_blue(v, clockwise);
-    clockwise(black);
+    Star<Core>(core(), v).for_each_triangle(visit);
   }
 
   /// returns the number of edges at `v`, in time linear in that number.
@@ -324,11 +318,7 @@ public:
   {
     if (BOOST_UNLIKELY(v >= m_numbering.core))
       return degree_outside(v);
-    Index d = m_records.number_of_children(v) + 3;
-    const auto count = [&d](Index) { ++d; };
-    for_each_in_black(v, count);
-    for_each_in_blue(v, count);
-    return d;
+    return Star<Core>(core(), v).degree();
   }
 
   /// returns the vertices of `f` counterclockwise, from the target of `halfedge_of_face(f)` on;
@@ -336,10 +326,8 @@ public:
   std::array<Index, 3> vertices_of_face(Index f) const
   {
     const Index x = f / 2;
-    if (BOOST_UNLIKELY(x >= m_numbering.core)) {
-      const Index h = halfedge_of_face_outside(f), g = next_outside(h), k = next_outside(g);
-      return { target_outside(h), target_outside(g), target_outside(k) };
-    }
+    if (BOOST_UNLIKELY(x >= m_numbering.core))
+      return vertices_of_face_outside(f);
     return f & 1 ? vertices_of_b(x) : vertices_of_a(x);
   }
 
@@ -360,46 +348,8 @@ public:
   /// @}
 
 private:
-  // The lists of a vertex v in the core: in-black counterclockwise, in-blue clockwise, both from
-  // the red edge on, and the red children counterclockwise. Each loop calls its visitor in
-  // one place: with two, compilers stop inlining it.
-  template <class Visitor>
-  BOOST_FORCEINLINE void for_each_in_black(Index v, Visitor&& visit) const
-  {
-    if (!m_records.in_black(v))
-      return;
-    const auto op = core();
-    for (Index u = op.after_red(v);; u = op.next_in_black(u)) {
-      visit(u);
-      if (!m_records.more_black(u))
-        return;
-    }
-  }
-
-  template <class Visitor>
-  BOOST_FORCEINLINE void for_each_in_blue(Index v, Visitor&& visit) const
-  {
-    if (!m_records.in_blue(v))
-      return;
-    for (Index u = core().before_red(v);; u = m_records.next_in_blue(u)) {
-      visit(u);
-      if (!m_records.more_blue(u))
-        return;
-    }
-  }
-
-  template <class Visitor>
-  BOOST_FORCEINLINE void for_each_child(Index v, Visitor&& visit) const
-  {
-    if (m_records.is_leaf(v))
-      return;
-    const Index end = m_records.last_child(v) + 1;
-    for (Index u = m_records.first_child(v); u != end; ++u)
-      visit(u);
-  }
-
-  // The vertices of A(x) and B(x), x in the core, by labels. Both vertices that label 1 may have are at hand, and
-  // masks take one of them, since processors cannot guess which it is.
+  // The vertices of A(x) and B(x), by labels; outside of the core, records that have these vertices. Both that label 1
+  // may have are at hand, and masks take one of them, since processors cannot guess which it is.
   BOOST_FORCEINLINE std::array<Index, 3> vertices_of_a(Index x) const
   {
     const Index p = m_records.red_parent(x);
@@ -416,65 +366,149 @@ private:
   }
 
   Core core() const { return Core{ m_records, {} }; }
-  Triangles triangles() const { return Triangles({ m_records, Zone{ m_records, m_numbering } }, m_numbering); }
+  Outside outside() const { return Outside{ m_records, Zone{ m_records, m_numbering } }; }
+  Triangles triangles() const { return Triangles(outside(), m_numbering); }
   Everything everything() const { return Everything(triangles(), m_mask); }
   bool is_in_core(Halfedge h) const { return h.code() < 8 * m_numbering.core; }
   static Side side(Halfedge h) { return { h.quotient(), h.remainder() }; }
 
-  BOOST_NOINLINE Index degree_outside(Index v) const
-  {
-    Index d = 0;
-    for_each_adjacent_vertex_outside(v, [&d](Index) { ++d; });
-    return d;
-  }
-
   BOOST_NOINLINE Index third_vertex(Halfedge h) const { return target(next(h)); }
-  BOOST_NOINLINE Index next_outside(Index h) const { return everything().next(h); }
-  BOOST_NOINLINE Index prev_outside(Index h) const { return everything().prev(h); }
-  BOOST_NOINLINE Index source_outside(Index h) const { return everything().source(h); }
-  BOOST_NOINLINE Index target_outside(Index h) const { return everything().target(h); }
-  BOOST_NOINLINE Index face_outside(Index h) const { return everything().face(h); }
-  BOOST_NOINLINE Index halfedge_of_vertex_outside(Index v) const { return everything().halfedge_of_vertex(v); }
-  BOOST_NOINLINE Index halfedge_of_face_outside(Index f) const { return everything().halfedge_of_face(f); }
+
+  // Outside of the core too, most elements have their slots as numbers.
+  BOOST_NOINLINE Halfedge next_outside(Halfedge h) const
+  {
+    if (BOOST_LIKELY(keeps_slot(side(h))))
+      return number(outside().next(side(h)));
+    return everything().next(h);
+  }
+  BOOST_NOINLINE Halfedge prev_outside(Halfedge h) const
+  {
+    if (BOOST_LIKELY(keeps_slot(side(h))))
+      return number(outside().prev(side(h)));
+    return everything().prev(h);
+  }
+  BOOST_NOINLINE Index source_outside(Halfedge h) const
+  {
+    if (BOOST_LIKELY(keeps_slot(side(h))))
+      return triangles().vertex(outside().source(side(h)));
+    return everything().source(h);
+  }
+  BOOST_NOINLINE Index target_outside(Halfedge h) const
+  {
+    if (BOOST_LIKELY(keeps_slot(side(h))))
+      return triangles().vertex(outside().target(side(h)));
+    return everything().target(h);
+  }
+  BOOST_NOINLINE Index face_outside(Halfedge h) const
+  {
+    if (BOOST_LIKELY(keeps_slot(side(h))))
+      return triangles().face(outside().face(side(h)));
+    return everything().face(h);
+  }
+  bool keeps_slot(Side s) const { return s.x < m_numbering.end_of_kept && !m_records.is_irregular(s.x, s.k / 2); }
+  Halfedge number(Side s) const
+  {
+    return BOOST_LIKELY(keeps_slot(s)) ? Halfedge::of(s.x, s.k) : Halfedge(triangles().halfedge(s));
+  }
+  BOOST_NOINLINE Halfedge halfedge_of_vertex_outside(Index v) const
+  {
+    return v < m_numbering.end_of_kept ? Halfedge::of(v, 1) : Halfedge(everything().halfedge_of_vertex(v));
+  }
+  BOOST_NOINLINE Halfedge halfedge_of_face_outside(Index f) const
+  {
+    if (f / 2 < m_numbering.end_of_kept)
+      return number({ f / 2, f & 1 ? 5u : 0u });
+    return everything().halfedge_of_face(f);
+  }
   BOOST_NOINLINE Index halfedge_outside(Index u, Index v) const { return everything().halfedge(u, v); }
 
+  BOOST_NOINLINE bool is_in_triangle_outside(Halfedge h) const
+  {
+    return keeps_slot(side(h)) || (m_mask.empty() && triangles().face(h) != null_index());
+  }
+
+  BOOST_NOINLINE std::array<Index, 3> vertices_of_triangle_outside(Halfedge h) const
+  {
+    const std::array<Index, 3> v =
+      keeps_slot(side(h)) ? vertices_outside(outside().face(side(h))) : vertices_of_face_outside(face_outside(h));
+    const Index target = target_outside(h);
+    const std::size_t first = v[0] == target ? 0 : v[1] == target ? 1 : 2;
+    return { v[first], v[(first + 1) % 3], v[(first + 2) % 3] };
+  }
+
+  BOOST_NOINLINE std::array<Index, 3> vertices_of_face_outside(Index f) const
+  {
+    if (f / 2 < m_numbering.end_of_kept)
+      return vertices_outside({ f / 2, f & 1 ? Face::B : Face::A });
+    if (m_mask.empty()) {
+      const Face face = m_numbering.face_of_slot(m_numbering.faces.slot(f));
+      if (face.owner != Face::hole)
+        return vertices_outside(face);
+    }
+    const Halfedge h = halfedge_of_face_outside(f), g = next_outside(h), k = next_outside(g);
+    return { target_outside(h), target_outside(g), target_outside(k) };
+  }
+
+  std::array<Index, 3> vertices_outside(Face f) const
+  {
+    std::array<Index, 3> v = f.owner == Face::A ? vertices_of_a(f.x) : vertices_of_b(f.x);
+    for (Index& x : v)
+      x = triangles().vertex(x);
+    return v;
+  }
+
+  // Whether v, outside of the core, has a star as in the core, but for the numbers of its neighbors.
+  bool has_plain_star(Index v) const
+  {
+    return m_mask.empty() && v < m_numbering.border && !m_records.has_more_sectors(v);
+  }
+
   // The visitors of stars are called where they are passed to: if a function that is not inlined got their
-  // addresses, compilers would keep in memory what they refer to, in the core too.
+  // addresses, compilers would keep in memory what they refer to, in the core too. So stars outside are put down first.
   template <class Visitor>
   void for_each_adjacent_vertex_outside(Index v, Visitor&& visit) const
   {
-    const Halfedge first = halfedge_of_vertex_outside(v);
-    Halfedge h = first;
-    while (!h.is_null()) {
-      visit(called_source(h));
-      h = next_into(h, first);
-    }
+    Neighbors neighbors;
+    find_neighbors(v, neighbors);
+    for (const Index u : neighbors)
+      visit(u);
   }
 
   template <class Visitor>
   void for_each_incident_triangle_outside(Index v, Visitor&& visit) const
   {
-    const Halfedge first = halfedge_of_vertex_outside(v);
-    Halfedge h = first;
-    while (!h.is_null()) {
-      const Index u = vertex_after(h);
-      if (u != null_index())
-        visit(u, called_source(h));
-      h = next_into(h, first);
-    }
+    Corners corners;
+    find_corners(v, corners);
+    for (const auto& corner : corners)
+      visit(corner.first, corner.second);
   }
 
-  BOOST_NOINLINE Index called_source(Halfedge h) const { return source(h); }
-  // The vertex that follows h in its face, null on a border.
-  BOOST_NOINLINE Index vertex_after(Halfedge h) const
+  BOOST_NOINLINE void find_neighbors(Index v, Neighbors& neighbors) const
   {
-    return face(h) == null_index() ? null_index() : target(next(h));
+    if (has_plain_star(v)) {
+      const auto t = triangles();
+      Star<Outside>(outside(), v).for_each_neighbor([&](Index x) { neighbors.push_back(t.vertex(x)); });
+    } else
+      everything().for_each_adjacent_vertex(v, [&](Index u) { neighbors.push_back(u); });
   }
-  // The halfedge clockwise behind h, null if that is the first one.
-  BOOST_NOINLINE Halfedge next_into(Halfedge h, Halfedge first) const
+
+  BOOST_NOINLINE void find_corners(Index v, Corners& corners) const
   {
-    const Halfedge following = opposite(next(h));
-    return following.code() == first.code() ? Halfedge() : following;
+    if (has_plain_star(v)) {
+      const auto t = triangles();
+      Star<Outside>(outside(), v).for_each_triangle(
+        [&](Index x, Index y) { corners.emplace_back(t.vertex(x), t.vertex(y)); });
+    } else
+      everything().for_each_incident_triangle(v, [&](Index u, Index w) { corners.emplace_back(u, w); });
+  }
+
+  BOOST_NOINLINE Index degree_outside(Index v) const
+  {
+    if (has_plain_star(v))
+      return Star<Outside>(outside(), v).degree();
+    Index d = 0;
+    everything().for_each_adjacent_vertex(v, [&d](Index) { ++d; });
+    return d;
   }
 
   Records m_records;

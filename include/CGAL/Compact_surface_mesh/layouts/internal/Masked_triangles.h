@@ -10,16 +10,21 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
+#include <CGAL/Compact_surface_mesh/layouts/internal/around_vertex.h>
+
 #include <cstddef>
 
 namespace CGAL {
 namespace internal {
 
 // What the user sees of the triangles of a layout: themselves, if the mask is empty.
-template <class Triangles, class Mask, class Index>
+template <class Triangles, class Mask, class Index_>
 class Masked_triangles
 {
 public:
+  typedef Index_ Index;
+  typedef Index_ Halfedge;
+
   Masked_triangles(const Triangles& triangles, const Mask& mask)
     : m_triangles(triangles), m_mask(mask)
   {}
@@ -28,6 +33,8 @@ public:
   std::size_t num_halfedges() const { return m_mask.empty() ? m_triangles.num_halfedges() : m_mask.num_halfedges(); }
   std::size_t num_faces() const { return m_mask.empty() ? m_triangles.num_faces() : m_mask.num_faces(); }
 
+  static constexpr Index null_index() { return Triangles::null(); }
+  static Index opposite(Index h) { return Triangles::opposite(h); }
   Index next(Index h) const { return m_mask.empty() ? m_triangles.next(h) : m_mask.next(m_triangles, h); }
   Index prev(Index h) const { return m_mask.empty() ? m_triangles.prev(h) : m_mask.prev(m_triangles, h); }
   Index source(Index h) const { return m_mask.empty() ? m_triangles.source(h) : m_mask.source(m_triangles, h); }
@@ -44,6 +51,26 @@ public:
   Index halfedge(Index u, Index v) const
   {
     return m_mask.empty() ? m_triangles.halfedge(u, v) : m_mask.halfedge(m_triangles, u, v);
+  }
+
+  // Calls visit(u) for each vertex u adjacent to v.
+  template <class Visitor>
+  void for_each_adjacent_vertex(Index v, Visitor&& visit) const
+  {
+    if (m_mask.empty())
+      m_triangles.for_each_adjacent_vertex(v, visit);
+    else
+      for_each_halfedge_into(*this, v, [&](Index h) { visit(source(h)); });
+  }
+
+  // Calls visit(u, w) for each face at v, where u follows and w precedes v.
+  template <class Visitor>
+  void for_each_incident_triangle(Index v, Visitor&& visit) const
+  {
+    if (m_mask.empty())
+      m_triangles.for_each_incident_triangle(v, visit);
+    else
+      for_each_corner_at(*this, v, visit);
   }
 
 private:

@@ -70,7 +70,7 @@ struct Schnyder_fronts_zone
   const Schnyder_fronts_numbering<Index>& n;
 
   bool is_isolated(Index x) const { return is_around_apex(x) && r.record_at(x, Records::red_left) == x; }
-  bool is_irregular(Index x) const { return !r.is_plain(x); }
+  bool is_irregular(Schnyder_side<Index> s) const { return !r.is_plain(s.x); }
   bool on_border(Index x) const { return is_around_apex(x) && r.record_at(x, Records::red_left) != x; }
 
   // The neighbors of x around the apex.

@@ -16,6 +16,7 @@
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_special_copies.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Search_directory.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -46,6 +47,14 @@ struct Schnyder_parents_numbering
   Schnyder_special_copies<Index> copies;
   Schnyder_fans<Index> fans;
   Search_directory<Index> search_sectors; // by their vertices
+
+  // Elements of regular records before this one have their slots as numbers, and nothing is hidden.
+  Emptied_on_move<Index> end_of_kept;
+
+  void keep_slots()
+  {
+    end_of_kept = static_cast<Index>((std::min)({ std::size_t(border), edges.count() / 3, faces.count() / 2 }));
+  }
 
   bool on_border(Index x) const { return border <= x && x < isolated; }
 

@@ -118,7 +118,7 @@ struct Schnyder_parents_operators
   {
     const Index x = s.x;
     Index head;
-    if (Zone::has_holes && faces_hole(s, head))
+    if (zone.may_face_hole(x) && faces_hole(s, head))
       return border_side(succ(zone.next_fan(head)));
     switch (s.k) {
     case 0:
@@ -142,7 +142,7 @@ struct Schnyder_parents_operators
   {
     const Index x = s.x;
     Index head;
-    if (Zone::has_holes && faces_hole(s, head))
+    if (zone.may_face_hole(x) && faces_hole(s, head))
       return border_side(zone.prev_fan(pred(head)));
     switch (s.k) {
     case 0:
@@ -168,7 +168,7 @@ struct Schnyder_parents_operators
   {
     const Index x = s.x;
     Index head;
-    if (Zone::has_holes && faces_hole(s, head))
+    if (zone.may_face_hole(x) && faces_hole(s, head))
       return { head, hole };
     switch (s.k) {
     case 0:

@@ -38,10 +38,11 @@ lower four bits are flags, the others an index.
     1  | blue parent W                       | has_in_black
        |                                     | more_in_black: not last of Q's list
        |                                     | more_in_blue: not last of W's list
+       |                                     | irregular: of the edge to W, see Schnyder_parents_numbering
     2  | black parent Q                      | far: a leaf whose word 3 is as under 15
        |                                     | has_sectors: the vertex has further records
-       |                                     | irregular: see Schnyder_parents_numbering
        |                                     | has_fans: the vertex has further fans
+       |                                     | irregular: of the edge to Q
     3  | number of red children              | that number:
        |   0: last in-black, else first in-blue
        |   1..14: first red child
@@ -69,7 +70,8 @@ public:
   enum : unsigned { flag_bits = 4, flag_mask = 15 };
   enum : Index { first = 1, last = 2, first_in_black = 4, has_in_blue = 8 };   // word 0
   enum : Index { has_in_black = 1, more_in_black = 2, more_in_blue = 4 };      // word 1
-  enum : Index { far = 1, has_sectors = 2, irregular = 4, has_fans = 8 };     // word 2
+  enum : Index { far = 1, has_sectors = 2, has_fans = 4 };                     // word 2
+  enum : Index { irregular = 8 };                                              // words 1 and 2
   enum : unsigned { many = 15 };                                               // word 3
 
   static constexpr std::size_t max_walk = 32;
@@ -103,7 +105,7 @@ public:
   bool more_blue(Index x) const { return records[x].word[1] & more_in_blue; }
 
   bool has_more_sectors(Index x) const { return records[x].word[2] & has_sectors; }
-  bool is_irregular(Index x) const { return records[x].word[2] & irregular; }
+  bool is_irregular(Index x, unsigned word) const { return word != 0 && (records[x].word[word] & irregular) != 0; }
   bool has_more_fans(Index x) const { return records[x].word[2] & has_fans; }
 
   unsigned child_count(Index x) const { return static_cast<unsigned>(records[x].word[3]) & flag_mask; }

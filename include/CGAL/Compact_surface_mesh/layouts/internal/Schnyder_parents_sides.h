@@ -46,20 +46,20 @@ public:
     number_special_copies(numbering, dead);
     numbering.edges = filled(numbering.num_edge_slots(), dead.edges);
     numbering.faces = filled(numbering.num_face_slots(), dead.faces);
-    for (const Index x : dead.irregular)
-      records.records[x].word[2] |= Records::irregular;
+    for (const Side s : dead.irregular)
+      records.records[s.x].word[s.k / 2] |= Records::irregular;
   }
 
 private:
   struct Dead_slots
   {
     std::vector<Index> edges, faces;
-    std::vector<Index> irregular; // records that own dead edges, and copies of special ones
+    std::vector<Side> irregular; // dead edges, and copies of special ones
   };
 
   static void bury_edge(const Numbering& numbering, Side s, Dead_slots& dead)
   {
-    dead.irregular.push_back(s.x);
+    dead.irregular.push_back(s);
     dead.edges.push_back(numbering.edge_slot(s.x, s.k));
   }
 
@@ -83,7 +83,7 @@ private:
     const auto slot = [&](Side s) { return numbering.edge_slot(s.x, s.k); };
     numbering.copies = Schnyder_special_copies<Index>(
       m_table, m_wood, m_side, slot, [&](Side second, Side first) {
-        dead.irregular.push_back(first.x);
+        dead.irregular.push_back(first);
         bury_edge(numbering, second, dead);
       });
   }

@@ -24,12 +24,12 @@ namespace internal {
 template <class Records, class Index>
 struct Schnyder_parents_zone
 {
-  static constexpr bool has_holes = true;
   const Records& r;
   const Schnyder_parents_numbering<Index>& n;
 
   bool is_isolated(Index x) const { return n.isolated <= x && x < n.sectors; }
-  bool is_irregular(Index x) const { return r.is_irregular(x); }
+  bool is_irregular(Schnyder_side<Index> s) const { return r.is_irregular(s.x, s.k / 2); }
+  bool may_face_hole(Index x) const { return x >= n.border; }
   bool on_border(Index x) const { return n.on_border(x); }
   Index vertex(Index x) const { return x < n.sectors ? x : r.red_parent(x); }
   Index first_fan(Index x) const { return x >= n.border && r.has_more_fans(x) ? n.fans[x].first : x; }

@@ -36,7 +36,7 @@ Large_array<Index> red_edges_out(const Corner_table<Index>& table, const Schnyde
   return result;
 }
 
-// The last sector of a vertex x, whose further sectors are among those from `begin` on, `size` in all, which are sorted by
+// The last sector of a vertex x, whose further sectors are among the `size` from `begin` on, which are sorted by
 // their vertices, vertex(s). `search` is the directory of these.
 template <class Index, class VertexOfSector>
 Index last_sector_of(Index x, Index begin, std::size_t size, const Search_directory<Index>& search,

@@ -49,6 +49,7 @@ template <class Index>
 struct Schnyder_core_zone
 {
   static constexpr bool has_holes = false;
+  static bool may_face_hole(Index) { return false; }
   static bool on_border(Index) { return false; }
   static Index vertex(Index x) { return x; }
   static Index last_sector(Index x) { return x; }

@@ -72,12 +72,29 @@ public:
     return g == null() ? g : g ^ 1;
   }
 
+  // Calls visit(u) for each neighbor u of v.
+  template <class Visitor>
+  void for_each_adjacent_vertex(Index v, Visitor&& visit) const
+  {
+    for_each_side_into(v, [&](Side s, Side) { visit(vertex(op.source(s))); });
+  }
+
+  // Calls visit(u, w) for each face (v,u,w).
+  template <class Visitor>
+  void for_each_incident_triangle(Index v, Visitor&& visit) const
+  {
+    for_each_side_into(v, [&](Side s, Side following) {
+      if (!is_on_border(s))
+        visit(vertex(op.target(following)), vertex(op.source(s)));
+    });
+  }
+
   // From sides, faces and records to numbers.
   Index halfedge(Side s) const
   {
     Index slot = n.edge_slot(s.x, s.k);
     unsigned end = s.k & 1;
-    if (op.zone.is_irregular(s.x)) {
+    if (op.zone.is_irregular(s)) {
       const auto* copy = n.copies.find(slot);
       if (copy != nullptr && copy->other < slot) {
         slot = copy->other;
@@ -98,19 +115,46 @@ public:
   Index vertex(Index x) const { return n.vertices.number(op.zone.first_fan(op.zone.vertex(x))); }
 
 private:
+  // Calls visit(s, t) for each side s into v, clockwise, where t is the one that follows s around its face.
+  template <class Visitor>
+  void for_each_side_into(Index v, Visitor&& visit) const
+  {
+    const Index x = n.vertices.slot(v);
+    if (op.zone.is_isolated(x))
+      return;
+    const Side first = op.zone.on_border(x) ? op.border_side(x) : Side{ x, 1 };
+    Side s = first;
+    do {
+      const Side following = op.next(s);
+      visit(s, following);
+      s = live(Side{ following.x, following.k ^ 1 });
+    } while (s.x != first.x || s.k != first.k);
+  }
+
+  // Whether there is no face left of s.
+  bool is_on_border(Side s) const
+  {
+    const Face f = op.face(s);
+    return f.owner == Face::hole && op.zone.slot_of_hole(f.x) == null();
+  }
+
   Side side(Index h) const
   {
-    Index slot = h / 2;
-    unsigned end = h & 1;
-    if (op.zone.is_irregular(n.record_of_edge(slot))) {
-      slot = n.edges.slot(slot);
-      const auto* copy = n.copies.find(slot);
-      if (copy != nullptr && end != copy->live) {
-        slot = copy->other;
-        end = copy->other_live;
-      }
+    const Side s = side_in_slot(h / 2, h & 1);
+    return op.zone.is_irregular(s) ? live(side_in_slot(n.edges.slot(h / 2), h & 1)) : s;
+  }
+
+  Side side_in_slot(Index slot, unsigned end) const { return { n.record_of_edge(slot), n.k_of_edge(slot) | end }; }
+
+  // The side that bounds a face, where a special edge has a copy for each of its two faces.
+  Side live(Side s) const
+  {
+    if (op.zone.is_irregular(s)) {
+      const auto* copy = n.copies.find(n.edge_slot(s.x, s.k));
+      if (copy != nullptr && (s.k & 1) != copy->live)
+        return side_in_slot(copy->other, copy->other_live);
     }
-    return { n.record_of_edge(slot), n.k_of_edge(slot) | end };
+    return s;
   }
 
   // The halfedge from u to v that u owns, or null.
