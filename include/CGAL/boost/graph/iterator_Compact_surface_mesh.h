@@ -83,7 +83,7 @@ using Around_source = At_halfedge<Mesh, counts, &Mesh::next_around_source, &Mesh
 template <class Mesh, bool counts>
 using Around_face = At_halfedge<Mesh, counts, &Mesh::next, &Mesh::prev>;
 
-// In a triangle all three vertices are read at once, and steps are counted in place of rounds. Around other faces
+// In a triangle all three vertices are read at once, and every step is a third of a round. Around other faces
 // the position is that of their sides; this part is called, so that the rest is small enough to be
 // inlined and unrolled.
 template <class Mesh, bool counts>
@@ -95,13 +95,10 @@ class Around_face_vertices
 public:
   Around_face_vertices() = default;
   BOOST_FORCEINLINE Around_face_vertices(Halfedge h, const Mesh& g, unsigned round)
-    : m_halfedge(h), m_start(h), m_count(1)
+    : m_halfedge(h), m_start(h), m_thirds(h.is_valid() ? 3 * round : 3)
   {
-    if (!h.is_valid())
-      return;
-    m_count = is_in_triangle(g) ? 3 * round : round;
-    if (round == 0)
-      read(g);
+    if (m_thirds == 0)
+      read(g, is_in_triangle(g));
   }
 
   BOOST_FORCEINLINE Vertex vertex() const { return m_vertex; }
@@ -109,14 +106,14 @@ public:
   BOOST_FORCEINLINE bool equals(const Mesh& g, const Around_face_vertices& other) const
   {
     if (BOOST_LIKELY(m_start == other.m_start))
-      return m_count == other.m_count && m_halfedge == other.m_halfedge;
+      return m_thirds == other.m_thirds && m_halfedge == other.m_halfedge;
     return is_same(g, *this, other);
   }
 
   BOOST_FORCEINLINE void advance(const Mesh& g)
   {
-    if (BOOST_LIKELY(is_in_triangle(g))) {
-      m_count = counts || m_count < 2 ? m_count + 1 : 0;
+    if (BOOST_LIKELY(m_was_in_triangle)) {
+      m_thirds = counts || m_thirds < 2 ? m_thirds + 1 : 0;
       const Vertex first = m_vertex;
       m_vertex = m_second;
       m_second = m_third;
@@ -125,53 +122,55 @@ public:
       m_halfedge = called_next(g, m_halfedge);
       m_vertex = called_target(g, m_halfedge);
       if (counts && m_halfedge == m_start)
-        ++m_count;
+        m_thirds += 3;
     }
   }
 
   void retreat(const Mesh& g)
   {
-    if (is_in_triangle(g))
-      m_count = counts || m_count > 0 ? m_count - 1 : 2;
+    const bool in_triangle = is_in_triangle(g);
+    if (in_triangle)
+      m_thirds = counts || m_thirds > 0 ? m_thirds - 1 : 2;
     else {
       if (counts && m_halfedge == m_start)
-        --m_count;
+        m_thirds -= 3;
       m_halfedge = g.prev(m_halfedge);
     }
-    read(g);
+    read(g, in_triangle);
   }
 
 private:
   BOOST_FORCEINLINE bool is_in_triangle(const Mesh& g) const { return g.layout().is_in_triangle(m_start.name()); }
 
-  BOOST_FORCEINLINE void read(const Mesh& g)
+  BOOST_FORCEINLINE void read(const Mesh& g, bool in_triangle)
   {
-    if (BOOST_LIKELY(is_in_triangle(g))) {
+    m_was_in_triangle = in_triangle;
+    if (BOOST_LIKELY(in_triangle)) {
       const auto v = g.layout().vertices_of_triangle(m_start.name());
-      m_vertex = Vertex(v[m_count % 3]);
-      m_second = Vertex(v[(m_count + 1) % 3]);
-      m_third = Vertex(v[(m_count + 2) % 3]);
+      m_vertex = Vertex(v[m_thirds % 3]);
+      m_second = Vertex(v[(m_thirds + 1) % 3]);
+      m_third = Vertex(v[(m_thirds + 2) % 3]);
     } else
       m_vertex = called_target(g, m_halfedge);
   }
 
   Halfedge halfedge(const Mesh& g) const
   {
-    if (!is_in_triangle(g) || m_count % 3 == 0)
+    if (!is_in_triangle(g) || m_thirds % 3 == 0)
       return m_halfedge;
-    return m_count % 3 == 1 ? g.next(m_halfedge) : g.prev(m_halfedge);
+    return m_thirds % 3 == 1 ? g.next(m_halfedge) : g.prev(m_halfedge);
   }
-  unsigned round(const Mesh& g) const { return is_in_triangle(g) ? m_count / 3 : m_count; }
 
   static BOOST_NOINLINE bool is_same(const Mesh& g, Around_face_vertices a, Around_face_vertices b)
   {
-    return a.halfedge(g) == b.halfedge(g) && (!counts || a.round(g) == b.round(g));
+    return a.halfedge(g) == b.halfedge(g) && (!counts || a.m_thirds / 3 == b.m_thirds / 3);
   }
   static BOOST_NOINLINE Halfedge called_next(const Mesh& g, Halfedge h) { return g.next(h); }
   static BOOST_NOINLINE Vertex called_target(const Mesh& g, Halfedge h) { return g.target(h); }
 
   Halfedge m_halfedge, m_start;
-  unsigned m_count = 0;
+  unsigned m_thirds = 0;          // of a round
+  bool m_was_in_triangle = false; // when the vertices were read
   Vertex m_vertex, m_second, m_third; // the latter two in triangles
 };
 
@@ -388,7 +387,11 @@ class Vertex_around_face_iterator<Compact_surface_mesh<P, L> >
   using Base = typename Vertex_around_face_iterator::Around_iterator;
 
 public:
-  using Base::Base;
+  Vertex_around_face_iterator() = default;
+  BOOST_FORCEINLINE Vertex_around_face_iterator(typename Compact_surface_mesh<P, L>::Halfedge_index h,
+                                                const Compact_surface_mesh<P, L>& g, int round = 0)
+    : Base(h, g, round)
+  {}
 };
 
 template <class P, class L>
@@ -401,7 +404,11 @@ class Vertex_around_face_circulator<Compact_surface_mesh<P, L> >
   using Base = typename Vertex_around_face_circulator::Around_iterator;
 
 public:
-  using Base::Base;
+  Vertex_around_face_circulator() = default;
+  BOOST_FORCEINLINE Vertex_around_face_circulator(typename Compact_surface_mesh<P, L>::Halfedge_index h,
+                                                const Compact_surface_mesh<P, L>& g, int round = 0)
+    : Base(h, g, round)
+  {}
 };
 
 template <class P, class L>
