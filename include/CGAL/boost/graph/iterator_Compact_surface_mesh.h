@@ -411,6 +411,15 @@ public:
   {}
 };
 
+// The same as CGAL's function, inlined.
+template <class P, class L>
+BOOST_FORCEINLINE Iterator_range<Vertex_around_face_iterator<Compact_surface_mesh<P, L> > >
+vertices_around_face(typename Compact_surface_mesh<P, L>::Halfedge_index h, const Compact_surface_mesh<P, L>& g)
+{
+  using Iterator = Vertex_around_face_iterator<Compact_surface_mesh<P, L> >;
+  return make_range(Iterator(h, g), Iterator(h, g, 1));
+}
+
 template <class P, class L>
 class In_edge_iterator<Compact_surface_mesh<P, L> >
   : public internal::Around_iterator<In_edge_iterator<Compact_surface_mesh<P, L> >,

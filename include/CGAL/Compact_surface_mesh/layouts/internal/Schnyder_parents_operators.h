@@ -68,9 +68,14 @@ struct Schnyder_parents_operators
   // The next one counterclockwise in the in-black list of black_parent(x), if there are more.
   Index next_in_black(Index x) const { return r.is_leaf(x) ? r.blue_parent(x) : zone.last_sector(r.last_child(x)); }
 
-  Index last_in_black(Index x) const
+  BOOST_FORCEINLINE Index last_in_black(Index x) const
   {
-    return r.last_in_black(x, after_red(x), [this](Index y) { return next_in_black(y); });
+    return BOOST_LIKELY(r.has_last_in_black(x)) ? r.last_in_black(x) : searched_last_in_black(*this, x);
+  }
+  // By value, so that what is inlined need not have its operators in memory.
+  static BOOST_NOINLINE Index searched_last_in_black(Schnyder_parents_operators op, Index x)
+  {
+    return op.r.searched_last_in_black(x, op.after_red(x), [op](Index y) { return op.next_in_black(y); });
   }
   Index first_in_blue(Index x) const { return r.first_in_blue(x, before_red(zone.vertex(x))); }
 

@@ -131,25 +131,22 @@ public:
     return BOOST_LIKELY(count != many) ? count : lists(x).last_child - lists(x).first_child + 1;
   }
 
-  // The last one of in-black, which is not empty and starts with `start`.
+  // The last one of in-black, which is not empty, where a record has it.
+  bool has_last_in_black(Index x) const { return References >= 5 || (is_leaf(x) && !(records[x].word[2] & far)); }
+  Index last_in_black(Index x) const { return parent(x, References >= 5 ? 4 : 3); }
+
+  // The same elsewhere; `start` is the first one.
   template <class NextInBlack>
-  Index last_in_black(Index x, Index start, const NextInBlack& next_in_black) const
+  Index searched_last_in_black(Index x, Index start, const NextInBlack& next_in_black) const
   {
-    if constexpr (References >= 5)
-      return parent(x, 4);
-    else {
-      const Index c = records[x].word[3];
-      const unsigned count = c & flag_mask;
-      if (count == 0 && !(records[x].word[2] & far))
-        return c >> flag_bits;
-      if (count == 0 || count == many)
-        return long_lists[c >> flag_bits].last_in_black;
-      while (more_black(start)) {
-        CGAL_SCHNYDER_PARENTS_LAYOUT_COUNT_STEP
-        start = next_in_black(start);
-      }
-      return start;
+    const unsigned count = child_count(x);
+    if (count == 0 || count == many)
+      return lists(x).last_in_black;
+    while (more_black(start)) {
+      CGAL_SCHNYDER_PARENTS_LAYOUT_COUNT_STEP
+      start = next_in_black(start);
     }
+    return start;
   }
 
   // The first one counterclockwise of in-blue, which is not empty and whose last one is `start`.
