@@ -83,9 +83,10 @@ class Schnyder_parents_layout
   typedef typename Core::Side Side;
   typedef typename Core::Face Face;
   typedef internal::Schnyder_parents_zone<Records, Index_> Zone;
-  typedef internal::Schnyder_parents_operators<Records, Index_, Zone> Outside;
+  typedef internal::Schnyder_parents_operators<Records, Index_, internal::Schnyder_inner_zone<Records, Index_>> Inner;
   typedef internal::Schnyder_parents_numbering<Index_> Numbering;
-  typedef internal::Schnyder_triangles<Outside, Numbering, Index_> Triangles;
+  typedef internal::Schnyder_triangles<internal::Schnyder_parents_operators<Records, Index_, Zone>, Numbering, Index_>
+    Triangles;
   typedef internal::Mask<Index_, true> Mask;
   typedef internal::Masked_triangles<Triangles, Mask, Index_> Everything;
   template <class Operators>
@@ -366,60 +367,63 @@ private:
   }
 
   Core core() const { return Core{ m_records, {} }; }
-  Outside outside() const { return Outside{ m_records, Zone{ m_records, m_numbering } }; }
-  Triangles triangles() const { return Triangles(outside(), m_numbering); }
+  Inner inner() const { return Inner{ m_records, { m_records, m_numbering } }; }
+  Triangles triangles() const { return Triangles({ m_records, Zone{ m_records, m_numbering } }, m_numbering); }
   Everything everything() const { return Everything(triangles(), m_mask); }
   bool is_in_core(Halfedge h) const { return h.code() < 8 * m_numbering.core; }
   static Side side(Halfedge h) { return { h.quotient(), h.remainder() }; }
 
   BOOST_NOINLINE Index third_vertex(Halfedge h) const { return target(next(h)); }
 
-  // Outside of the core too, most elements have their slots as numbers.
+  // Outside of the core too, most elements have their slots as numbers; the others are elsewhere.
   BOOST_NOINLINE Halfedge next_outside(Halfedge h) const
   {
-    if (BOOST_LIKELY(keeps_slot(side(h))))
-      return number(outside().next(side(h)));
-    return everything().next(h);
+    return BOOST_LIKELY(keeps_slot(side(h))) ? number(inner().next(side(h))) : next_elsewhere(h);
   }
   BOOST_NOINLINE Halfedge prev_outside(Halfedge h) const
   {
-    if (BOOST_LIKELY(keeps_slot(side(h))))
-      return number(outside().prev(side(h)));
-    return everything().prev(h);
+    return BOOST_LIKELY(keeps_slot(side(h))) ? number(inner().prev(side(h))) : prev_elsewhere(h);
   }
   BOOST_NOINLINE Index source_outside(Halfedge h) const
   {
-    if (BOOST_LIKELY(keeps_slot(side(h))))
-      return triangles().vertex(outside().source(side(h)));
-    return everything().source(h);
+    return BOOST_LIKELY(keeps_slot(side(h))) ? vertex(inner().source(side(h))) : source_elsewhere(h);
   }
   BOOST_NOINLINE Index target_outside(Halfedge h) const
   {
-    if (BOOST_LIKELY(keeps_slot(side(h))))
-      return triangles().vertex(outside().target(side(h)));
-    return everything().target(h);
+    return BOOST_LIKELY(keeps_slot(side(h))) ? vertex(inner().target(side(h))) : target_elsewhere(h);
   }
   BOOST_NOINLINE Index face_outside(Halfedge h) const
   {
-    if (BOOST_LIKELY(keeps_slot(side(h))))
-      return triangles().face(outside().face(side(h)));
-    return everything().face(h);
-  }
-  bool keeps_slot(Side s) const { return s.x < m_numbering.end_of_kept && !m_records.is_irregular(s.x, s.k / 2); }
-  Halfedge number(Side s) const
-  {
-    return BOOST_LIKELY(keeps_slot(s)) ? Halfedge::of(s.x, s.k) : Halfedge(triangles().halfedge(s));
+    return BOOST_LIKELY(keeps_slot(side(h))) ? number(inner().face(side(h))) : face_elsewhere(h);
   }
   BOOST_NOINLINE Halfedge halfedge_of_vertex_outside(Index v) const
   {
-    return v < m_numbering.end_of_kept ? Halfedge::of(v, 1) : Halfedge(everything().halfedge_of_vertex(v));
+    return BOOST_LIKELY(v < m_numbering.end_of_kept) ? Halfedge::of(v, 1) : halfedge_of_vertex_elsewhere(v);
   }
   BOOST_NOINLINE Halfedge halfedge_of_face_outside(Index f) const
   {
-    if (f / 2 < m_numbering.end_of_kept)
-      return number({ f / 2, f & 1 ? 5u : 0u });
-    return everything().halfedge_of_face(f);
+    return BOOST_LIKELY(f / 2 < m_numbering.end_of_kept) ? number(Side{ f / 2, f & 1 ? 5u : 0u })
+                                                         : halfedge_of_face_elsewhere(f);
   }
+
+  bool keeps_slot(Side s) const { return s.x < m_numbering.end_of_kept && !m_records.is_irregular(s.x, s.k / 2); }
+  Halfedge number(Side s) const { return BOOST_LIKELY(keeps_slot(s)) ? Halfedge::of(s.x, s.k) : number_elsewhere(s); }
+  Index number(Face f) const
+  {
+    return BOOST_LIKELY(f.x < m_numbering.end_of_kept) ? static_cast<Index>(2 * f.x + f.owner) : number_elsewhere(f);
+  }
+  Index vertex(Index x) const { return BOOST_LIKELY(x < m_numbering.border) ? x : vertex_elsewhere(x); }
+
+  BOOST_NOINLINE Halfedge next_elsewhere(Halfedge h) const { return everything().next(h); }
+  BOOST_NOINLINE Halfedge prev_elsewhere(Halfedge h) const { return everything().prev(h); }
+  BOOST_NOINLINE Index source_elsewhere(Halfedge h) const { return everything().source(h); }
+  BOOST_NOINLINE Index target_elsewhere(Halfedge h) const { return everything().target(h); }
+  BOOST_NOINLINE Index face_elsewhere(Halfedge h) const { return everything().face(h); }
+  BOOST_NOINLINE Halfedge halfedge_of_vertex_elsewhere(Index v) const { return everything().halfedge_of_vertex(v); }
+  BOOST_NOINLINE Halfedge halfedge_of_face_elsewhere(Index f) const { return everything().halfedge_of_face(f); }
+  BOOST_NOINLINE Halfedge number_elsewhere(Side s) const { return triangles().halfedge(s); }
+  BOOST_NOINLINE Index number_elsewhere(Face f) const { return triangles().face(f); }
+  BOOST_NOINLINE Index vertex_elsewhere(Index x) const { return triangles().vertex(x); }
   BOOST_NOINLINE Index halfedge_outside(Index u, Index v) const { return everything().halfedge(u, v); }
 
   BOOST_NOINLINE bool is_in_triangle_outside(Halfedge h) const
@@ -430,7 +434,7 @@ private:
   BOOST_NOINLINE std::array<Index, 3> vertices_of_triangle_outside(Halfedge h) const
   {
     const std::array<Index, 3> v =
-      keeps_slot(side(h)) ? vertices_outside(outside().face(side(h))) : vertices_of_face_outside(face_outside(h));
+      keeps_slot(side(h)) ? vertices_outside(inner().face(side(h))) : vertices_of_face_outside(face_outside(h));
     const Index target = target_outside(h);
     const std::size_t first = v[0] == target ? 0 : v[1] == target ? 1 : 2;
     return { v[first], v[(first + 1) % 3], v[(first + 2) % 3] };
@@ -453,7 +457,7 @@ private:
   {
     std::array<Index, 3> v = f.owner == Face::A ? vertices_of_a(f.x) : vertices_of_b(f.x);
     for (Index& x : v)
-      x = triangles().vertex(x);
+      x = vertex(x);
     return v;
   }
 
@@ -485,27 +489,25 @@ private:
 
   BOOST_NOINLINE void find_neighbors(Index v, Neighbors& neighbors) const
   {
-    if (has_plain_star(v)) {
-      const auto t = triangles();
-      Star<Outside>(outside(), v).for_each_neighbor([&](Index x) { neighbors.push_back(t.vertex(x)); });
-    } else
+    if (has_plain_star(v))
+      Star<Inner>(inner(), v).for_each_neighbor([&](Index x) { neighbors.push_back(vertex(x)); });
+    else
       everything().for_each_adjacent_vertex(v, [&](Index u) { neighbors.push_back(u); });
   }
 
   BOOST_NOINLINE void find_corners(Index v, Corners& corners) const
   {
-    if (has_plain_star(v)) {
-      const auto t = triangles();
-      Star<Outside>(outside(), v).for_each_triangle(
-        [&](Index x, Index y) { corners.emplace_back(t.vertex(x), t.vertex(y)); });
-    } else
+    if (has_plain_star(v))
+      Star<Inner>(inner(), v).for_each_triangle(
+        [&](Index x, Index y) { corners.emplace_back(vertex(x), vertex(y)); });
+    else
       everything().for_each_incident_triangle(v, [&](Index u, Index w) { corners.emplace_back(u, w); });
   }
 
   BOOST_NOINLINE Index degree_outside(Index v) const
   {
     if (has_plain_star(v))
-      return Star<Outside>(outside(), v).degree();
+      return Star<Inner>(inner(), v).degree();
     Index d = 0;
     everything().for_each_adjacent_vertex(v, [&d](Index) { ++d; });
     return d;
