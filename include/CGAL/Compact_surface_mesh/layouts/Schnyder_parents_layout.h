@@ -506,11 +506,7 @@ private:
 
   BOOST_NOINLINE Index degree_outside(Index v) const
   {
-    if (has_plain_star(v))
-      return Star<Inner>(inner(), v).degree();
-    Index d = 0;
-    everything().for_each_adjacent_vertex(v, [&d](Index) { ++d; });
-    return d;
+    return has_plain_star(v) ? Star<Inner>(inner(), v).degree() : everything().degree(v);
   }
 
   Records m_records;

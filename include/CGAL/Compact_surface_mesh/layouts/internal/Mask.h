@@ -37,9 +37,11 @@ twice as many parts of split edges, whatever the number of sides.
 The functions take the operators of the layout on raw numbers, as `raw`.
 If the halfedges are `paired`, opposite ones differ in the last bit.
 */
-template <class Index, bool paired>
+template <class Index_, bool paired>
 class Mask
 {
+  typedef Index_ Index;
+
   static constexpr Index null() { return (std::numeric_limits<Index>::max)(); }
 
 public:
@@ -147,12 +149,8 @@ public:
   template <class Raw>
   Index halfedge_of_vertex(const Raw& raw, Index v) const
   {
-    Index g = raw.halfedge_of_vertex(raw_vertex(v));
-    if (g == null())
-      return g;
-    while (is_hidden(g))
-      g = raw.opposite(raw.next(g));
-    return halfedge(g);
+    const Index g = raw_halfedge_of_vertex(raw, v);
+    return g == null() ? g : halfedge(g);
   }
 
   // The halfedge from u to v, null if there is none: of the edges with the same ends, one is not split.
@@ -162,6 +160,32 @@ public:
     const Index g = raw.halfedge(raw_vertex(u), raw_vertex(v));
     return g == null() || is_hidden(g) ? null() : halfedge(g);
   }
+
+  // The halfedges that are visible, by their raw numbers, and the user's vertices: so a walk takes no ranks but of
+  // the vertices that it asks for.
+  template <class Raw>
+  class Visible_halfedges
+  {
+  public:
+    typedef Index_ Index;
+    typedef Index_ Halfedge;
+
+    Visible_halfedges(const Mask& mask, const Raw& raw) : m_mask(mask), m_raw(raw) {}
+
+    static constexpr Index null_index() { return null(); }
+    Halfedge halfedge_of_vertex(Index v) const { return m_mask.raw_halfedge_of_vertex(m_raw, v); }
+    Halfedge next(Halfedge g) const { return m_mask.visible_after(m_raw, m_raw.next(g)); }
+    Halfedge opposite(Halfedge g) const { return m_raw.opposite(g); }
+    Index source(Halfedge g) const { return m_mask.vertex(m_mask.end(m_raw.source(g))); }
+    Index face(Halfedge g) const { return m_raw.face(g); } // null on a border, else any
+
+  private:
+    const Mask& m_mask;
+    const Raw& m_raw;
+  };
+
+  template <class Raw>
+  Visible_halfedges<Raw> visible_halfedges(const Raw& raw) const { return { *this, raw }; }
 
   // Tells what became of the input. The vertices and halfedges are as for the constructor; an empty
   // mask leaves them as they are.
@@ -196,6 +220,15 @@ public:
   }
 
 private:
+  template <class Raw>
+  Index raw_halfedge_of_vertex(const Raw& raw, Index v) const
+  {
+    Index g = raw.halfedge_of_vertex(raw_vertex(v));
+    while (g != null() && is_hidden(g))
+      g = raw.opposite(raw.next(g));
+    return g;
+  }
+
   bool is_hidden(Index g) const { return !m_halfedges[paired ? g / 2 : g]; }
   bool is_hidden_vertex(Index v) const { return !m_vertices[v]; }
   Index stands_for(Index hidden) const { return m_stands_for[hidden - m_vertices.rank(hidden)]; }

@@ -21,10 +21,9 @@ namespace internal {
 template <class Triangles, class Mask, class Index_>
 class Masked_triangles
 {
-public:
   typedef Index_ Index;
-  typedef Index_ Halfedge;
 
+public:
   Masked_triangles(const Triangles& triangles, const Mask& mask)
     : m_triangles(triangles), m_mask(mask)
   {}
@@ -33,8 +32,6 @@ public:
   std::size_t num_halfedges() const { return m_mask.empty() ? m_triangles.num_halfedges() : m_mask.num_halfedges(); }
   std::size_t num_faces() const { return m_mask.empty() ? m_triangles.num_faces() : m_mask.num_faces(); }
 
-  static constexpr Index null_index() { return Triangles::null(); }
-  static Index opposite(Index h) { return Triangles::opposite(h); }
   Index next(Index h) const { return m_mask.empty() ? m_triangles.next(h) : m_mask.next(m_triangles, h); }
   Index prev(Index h) const { return m_mask.empty() ? m_triangles.prev(h) : m_mask.prev(m_triangles, h); }
   Index source(Index h) const { return m_mask.empty() ? m_triangles.source(h) : m_mask.source(m_triangles, h); }
@@ -60,7 +57,7 @@ public:
     if (m_mask.empty())
       m_triangles.for_each_adjacent_vertex(v, visit);
     else
-      for_each_halfedge_into(*this, v, [&](Index h) { visit(source(h)); });
+      for_each_halfedge_into(visible(), v, [&](Index g) { visit(visible().source(g)); });
   }
 
   // Calls visit(u, w) for each face at v, where u follows and w precedes v.
@@ -70,10 +67,26 @@ public:
     if (m_mask.empty())
       m_triangles.for_each_incident_triangle(v, visit);
     else
-      for_each_corner_at(*this, v, visit);
+      for_each_corner_at(visible(), v, visit);
+  }
+
+  // Counts the edges at v.
+  Index degree(Index v) const
+  {
+    Index d = 0;
+    if (m_mask.empty())
+      m_triangles.for_each_adjacent_vertex(v, [&d](Index) { ++d; });
+    else
+      for_each_halfedge_into(visible(), v, [&d](Index) { ++d; });
+    return d;
   }
 
 private:
+  typename Mask::template Visible_halfedges<Triangles> visible() const
+  {
+    return m_mask.visible_halfedges(m_triangles);
+  }
+
   Triangles m_triangles;
   const Mask& m_mask;
 };
