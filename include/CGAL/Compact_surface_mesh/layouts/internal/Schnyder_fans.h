@@ -10,8 +10,6 @@
 
 #include <CGAL/license/Compact_surface_mesh.h>
 
-#include <CGAL/Compact_surface_mesh/layouts/internal/Search_directory.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -53,7 +51,6 @@ public:
                            fans[j + 1 == end ? i : j + 1].second });
     }
     std::sort(m_fans.begin(), m_fans.end(), [](const Fan& a, const Fan& b) { return a.record < b.record; });
-    m_search = Search_directory<Index>(m_fans.size(), record_at());
   }
 
   bool empty() const { return m_fans.empty(); }
@@ -63,12 +60,12 @@ public:
   // The fan with record x, null if the vertex has no other one.
   const Fan* find(Index x) const
   {
-    const std::size_t i = position(x);
-    return i == m_fans.size() || m_fans[i].record != x ? nullptr : &m_fans[i];
+    const auto it = position(x);
+    return it == m_fans.end() || it->record != x ? nullptr : &*it;
   }
 
   // The same if it is known to be there.
-  const Fan& operator[](Index x) const { return m_fans[position(x)]; }
+  const Fan& operator[](Index x) const { return *position(x); }
 
   // The records that have no vertex, sorted.
   std::vector<Index> further_fans() const
@@ -80,17 +77,15 @@ public:
     return result;
   }
 
-  std::size_t bytes() const { return m_fans.capacity() * sizeof(Fan) + m_search.bytes(); }
+  std::size_t bytes() const { return m_fans.capacity() * sizeof(Fan); }
 
 private:
-  auto record_at() const
+  typename std::vector<Fan>::const_iterator position(Index x) const
   {
-    return [this](std::size_t i) { return m_fans[i].record; };
+    return std::lower_bound(m_fans.begin(), m_fans.end(), x, [](const Fan& f, Index y) { return f.record < y; });
   }
-  std::size_t position(Index x) const { return m_search.lower_bound(m_fans.size(), x, record_at()); }
 
   std::vector<Fan> m_fans; // sorted by records
-  Search_directory<Index> m_search;
 };
 
 } // namespace internal
