@@ -17,6 +17,7 @@
 #include <CGAL/Compact_surface_mesh/heat_method_3.h> // with Surface_mesh, whose readers CGAL's headers then find
 #include <CGAL/boost/graph/graph_traits_Compact_surface_mesh.h>
 #include <CGAL/boost/graph/properties_Compact_surface_mesh.h>
+#include <CGAL/boost/graph/property_maps_Compact_surface_mesh.h>
 #include <CGAL/Compact_surface_mesh/IO/3MF.h>
 #include <CGAL/Compact_surface_mesh/IO/polygon_mesh_io.h>
 #include <CGAL/Compact_surface_mesh/IO/repaired_polygon_mesh_io.h>

@@ -125,6 +125,7 @@ private:
     const Index f = m_layout.face(m_halfedge[h]);
     const Index first = m_layout.halfedge_of_face(f);
     expect(m_layout.face(first) == f, "halfedge of a face", h);
+    expect(m_layout.vertex_of_face(f) == m_layout.target(first), "vertex of a face", h);
     const std::array<Index, 3> vertices = m_layout.vertices_of_face(f);
     Index g = first;
     for (int i = 0; i < 3; ++i, g = m_layout.next(g))

@@ -262,7 +262,10 @@ private:
     for (std::size_t f = 0; f < m_layout.num_faces() && m_difference.empty(); ++f) {
       Index g = m_layout.halfedge_of_face(static_cast<Index>(f));
       expect(g < m_halfedge.size() && m_layout.face(g) == f, "halfedge of face", face(f));
-      if (!m_difference.empty() || !m_soup.is_triangle(m_soup_halfedge[g]))
+      if (!m_difference.empty())
+        continue;
+      expect(m_layout.vertex_of_face(static_cast<Index>(f)) == m_layout.target(g), "vertex of face", face(f));
+      if (!m_soup.is_triangle(m_soup_halfedge[g]))
         continue;
       for (const Index v : m_layout.vertices_of_face(static_cast<Index>(f))) {
         expect(v == m_layout.target(g), "vertices of face", face(f));

@@ -73,7 +73,8 @@ TYPED_TEST(Search_directory, of_equal_keys_finds_the_first)
 
 TYPED_TEST(Search_directory, of_few_keys_takes_no_memory)
 {
-  const CGAL::internal::Search_directory<TypeParam> directory(15, [](std::size_t i) { return static_cast<TypeParam>(i); });
+  const CGAL::internal::Search_directory<TypeParam> directory(15,
+                                                              [](std::size_t i) { return static_cast<TypeParam>(i); });
   EXPECT_EQ(directory.bytes(), 0u);
   EXPECT_EQ(CGAL::internal::Search_directory<TypeParam>().bytes(), 0u);
 }

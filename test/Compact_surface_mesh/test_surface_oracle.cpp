@@ -101,6 +101,8 @@ public:
     });
   }
 
+  Index vertex_of_face(Index f) const { return target(halfedge_of_face(f)); }
+
   std::array<Index, 3> vertices_of_face(Index f) const
   {
     const H h = m_mesh.halfedge(F(f));
@@ -129,7 +131,7 @@ enum Operator
 {
   NUM_VERTICES, NUM_HALFEDGES, NUM_EDGES, NUM_FACES,
   NEXT, PREV, OPPOSITE, SOURCE, TARGET, FACE, EDGE,
-  HALFEDGE_OF_EDGE, HALFEDGE_OF_VERTEX, HALFEDGE_OF_FACE, HALFEDGE,
+  HALFEDGE_OF_EDGE, HALFEDGE_OF_VERTEX, HALFEDGE_OF_FACE, VERTEX_OF_FACE, HALFEDGE,
   ADJACENT_VERTICES, INCIDENT_TRIANGLES, DEGREE, VERTICES_OF_FACE, IS_IN_TRIANGLE, VERTICES_OF_TRIANGLE, NUM_OPERATORS
 };
 
@@ -161,6 +163,7 @@ public:
   Index halfedge_of_edge(Index e) const { return answer(HALFEDGE_OF_EDGE, e, m_sound.halfedge_of_edge(e)); }
   Index halfedge_of_vertex(Index v) const { return answer(HALFEDGE_OF_VERTEX, v, m_sound.halfedge_of_vertex(v)); }
   Index halfedge_of_face(Index f) const { return answer(HALFEDGE_OF_FACE, f, m_sound.halfedge_of_face(f)); }
+  Index vertex_of_face(Index f) const { return answer(VERTEX_OF_FACE, f, m_sound.vertex_of_face(f)); }
   Index halfedge(Index u, Index v) const
   {
     return answer(HALFEDGE, u * m_sound.num_vertices() + v, m_sound.halfedge(u, v));
@@ -319,7 +322,7 @@ std::size_t num_elements(const Surface_mesh_layout& sound, Operator op)
   switch (op) {
   case NUM_VERTICES: case NUM_HALFEDGES: case NUM_EDGES: case NUM_FACES: return 1;
   case HALFEDGE_OF_EDGE: return sound.num_edges();
-  case HALFEDGE_OF_FACE: case VERTICES_OF_FACE: return sound.num_faces();
+  case HALFEDGE_OF_FACE: case VERTEX_OF_FACE: case VERTICES_OF_FACE: return sound.num_faces();
   case HALFEDGE_OF_VERTEX: case ADJACENT_VERTICES: case INCIDENT_TRIANGLES: case DEGREE: return sound.num_vertices();
   case HALFEDGE: return sound.num_vertices() * sound.num_vertices();
   default: return sound.num_halfedges();
@@ -347,6 +350,7 @@ std::uint32_t sound_answer(const Surface_mesh_layout& sound, Operator op, std::u
   case HALFEDGE_OF_EDGE: return sound.halfedge_of_edge(i);
   case HALFEDGE_OF_VERTEX: return sound.halfedge_of_vertex(i);
   case HALFEDGE_OF_FACE: return sound.halfedge_of_face(i);
+  case VERTEX_OF_FACE: return sound.vertex_of_face(i);
   case HALFEDGE: return sound.halfedge(i / n, i % n);
   case ADJACENT_VERTICES: sound.for_each_adjacent_vertex(i, keep_first); return first;
   case INCIDENT_TRIANGLES:

@@ -122,6 +122,8 @@ Halfedge halfedge_of_edge(Index e) const;
 Halfedge halfedge_of_vertex(Index v) const;
 /// a halfedge whose face is `f`, always the same.
 Halfedge halfedge_of_face(Index f) const;
+/// the target of `halfedge_of_face(f)`.
+Index vertex_of_face(Index f) const;
 /// the halfedge from `u` to `v`, `null_index()` if they are not adjacent.
 Halfedge halfedge(Index u, Index v) const;
 

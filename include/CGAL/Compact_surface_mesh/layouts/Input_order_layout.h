@@ -190,6 +190,8 @@ public:
   Halfedge halfedge_of_vertex(Index v) const { return m_base.halfedge_of_vertex(m_vertices.image(v)); }
   /// returns a halfedge whose face is `f`, always the same.
   Halfedge halfedge_of_face(Index f) const { return m_base.halfedge_of_face(m_faces.image(f)); }
+  /// returns the target of `halfedge_of_face(f)`.
+  Index vertex_of_face(Index f) const { return m_vertices.input(m_base.vertex_of_face(m_faces.image(f))); }
   /// returns the halfedge from `u` to `v`, `null_index()` if they are not adjacent.
   Halfedge halfedge(Index u, Index v) const { return m_base.halfedge(m_vertices.image(u), m_vertices.image(v)); }
   /// @}

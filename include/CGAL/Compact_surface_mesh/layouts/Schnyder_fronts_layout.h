@@ -242,6 +242,9 @@ public:
     return BOOST_LIKELY(m_records.is_plain(f / 2)) ? Halfedge::of(f / 2, f & 1 ? 5 : 0) : halfedge_of_face_elsewhere(f);
   }
 
+  /// returns the target of `halfedge_of_face(f)`.
+  Index vertex_of_face(Index f) const { return target(halfedge_of_face(f)); }
+
   /// returns the halfedge from `u` to `v`, `null_index()` if they are not adjacent; in time linear in the degrees of
   /// neighbors of `u` and `v`, unless there are targets.
   Halfedge halfedge(Index u, Index v) const

@@ -59,7 +59,7 @@ also take time logarithmic in the number of components, borders, handles and ver
 several fans, and `halfedge(u, v)` time linear in the numbers of fans and special edges of `u` and `v`.
 
 Borders cost nothing, and neither do their edges; a component costs 15 words at most, a further
-border of a component 31, a handle 62, and a vertex with \f$k\f$ fans \f$10k - 6\f$. A polygon has
+border of a component 31, a handle 62, and a vertex with \f$k\f$ fans \f$11k - 7\f$. A polygon has
 hidden diagonals, or a hidden vertex, which has a record as others have; then all edges, faces and
 vertices have a bit with its rank directory.
 
@@ -271,6 +271,15 @@ public:
     return halfedge_of_face_outside(f);
   }
 
+  /// returns the target of `halfedge_of_face(f)`.
+  BOOST_FORCEINLINE Index vertex_of_face(Index f) const
+  {
+    const Index x = f / 2;
+    if (BOOST_LIKELY(x < m_numbering.core))
+      return chosen(f & 1, x, m_records.red_parent(x));
+    return target_outside(halfedge_of_face_outside(f));
+  }
+
   /// returns the halfedge from `u` to `v`, `null_index()` if they are not adjacent.
   Halfedge halfedge(Index u, Index v) const
   {
@@ -350,7 +359,7 @@ public:
 
 private:
   // The vertices of A(x) and B(x), by labels; outside of the core, records that have these vertices. Both that label 1
-  // may have are at hand, and masks take one of them, since processors cannot guess which it is.
+  // may have are at hand.
   BOOST_FORCEINLINE std::array<Index, 3> vertices_of_a(Index x) const
   {
     const Index p = m_records.red_parent(x);
@@ -361,6 +370,7 @@ private:
     return { x, chosen(m_records.is_leaf(x), m_records.blue_parent(x), m_records.last_child(x)),
              m_records.black_parent(x) };
   }
+  // Masks take one of two, where processors cannot guess which it is.
   static Index chosen(bool first, Index a, Index b)
   {
     return static_cast<Index>(b ^ ((a ^ b) & static_cast<Index>(0 - static_cast<Index>(first))));

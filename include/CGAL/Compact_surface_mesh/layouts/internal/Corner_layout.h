@@ -192,6 +192,9 @@ public:
     return d;
   }
 
+  /// returns the target of `halfedge_of_face(f)`.
+  Index vertex_of_face(Index f) const { return target(halfedge_of_face(f)); }
+
   /// returns the vertices of `f` counterclockwise, from the target of `halfedge_of_face(f)` on;
   /// of a polygon, only the first three.
   std::array<Index, 3> vertices_of_face(Index f) const
