@@ -22,6 +22,7 @@
 #include <CGAL/Unique_hash_map.h>
 #include <CGAL/boost/graph/graph_concepts.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/property_maps.h>
 
 #include <boost/functional/hash.hpp>
 #include <boost/graph/boyer_myrvold_planar_test.hpp>
@@ -320,6 +321,34 @@ TYPED_TEST(Graph_model, stars_agree_however_they_are_walked)
     ASSERT_TRUE(std::equal(range.begin(), range.end(), corners.begin()));
     ASSERT_EQ(degree(f, mesh), 3u);
   }
+}
+
+template <class GraphOfMap, class Mesh>
+void check_maps_of_faces(const Mesh& mesh)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Pair = std::pair<typename Mesh::Face_index, const GraphOfMap*>;
+  const CGAL::Triangle_from_face_descriptor_map<GraphOfMap> triangle(&mesh), made_with_points(&mesh, mesh.points());
+  const CGAL::One_point_from_face_descriptor_map<GraphOfMap> point(&mesh);
+  for (const auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    const Kernel::Triangle_3 expected(mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))),
+                                      mesh.point(mesh.source(h)));
+    for (int i = 0; i < 3; ++i) { // triangles are equal in any rotation
+      ASSERT_EQ(get(triangle, f)[i], expected[i]);
+      ASSERT_EQ(get(made_with_points, Pair(f, &mesh))[i], expected[i]);
+    }
+    ASSERT_EQ(get(point, f), expected[0]);
+    ASSERT_EQ(get(point, Pair(f, &mesh)), expected[0]);
+  }
+}
+
+TYPED_TEST(Graph_model, faces_have_the_triangles_and_points_that_trees_ask_for)
+{
+  using Mesh = typename TestFixture::Mesh;
+  const Mesh mesh(this->source);
+  check_maps_of_faces<Mesh>(mesh);
+  check_maps_of_faces<const Mesh>(mesh);
 }
 
 TYPED_TEST(Graph_model, points_follow_their_vertices)
