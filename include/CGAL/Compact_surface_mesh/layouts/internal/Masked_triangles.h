@@ -18,11 +18,9 @@ namespace CGAL {
 namespace internal {
 
 // What the user sees of the triangles of a layout: themselves, if the mask is empty.
-template <class Triangles, class Mask, class Index_>
+template <class Triangles, class Mask, class Index>
 class Masked_triangles
 {
-  typedef Index_ Index;
-
 public:
   Masked_triangles(const Triangles& triangles, const Mask& mask)
     : m_triangles(triangles), m_mask(mask)
