@@ -22,15 +22,15 @@ namespace CGAL {
 namespace internal {
 
 // Numbers a row of slots, few of which are dead, without holes: a live slot keeps its place
-// as number, but for the last ones, which take the places of the dead ones. At most three words per dead slot.
+// as number, but for the last ones, which take the places of the dead ones. At most two words per dead slot, and one for directories.
 template <class Index>
 class Filled_slots
 {
 public:
   Filled_slots() = default;
 
-  // `dead` is sorted.
-  Filled_slots(std::size_t num_slots, std::vector<Index>&& dead)
+  // `dead` is sorted. With directories, searches take less time and some memory.
+  Filled_slots(std::size_t num_slots, std::vector<Index>&& dead, bool has_directories = false)
     : m_count(static_cast<Index>(num_slots - dead.size())), m_dead(std::move(dead))
   {
     const auto end = std::lower_bound(m_dead.begin(), m_dead.end(), m_count);
@@ -45,6 +45,8 @@ public:
     }
     m_dead.erase(end, m_dead.end());
     m_dead.shrink_to_fit();
+    if (!has_directories)
+      return;
     m_search_dead = directory(m_dead);
     m_search_behind = directory(behind());
   }

@@ -37,7 +37,7 @@ public:
     const std::size_t bytes_of_filled = 2 * sizeof(Index) * dead.size(), bytes_of_ranked = num_slots * 5 / 32;
     m_end_of_kept = static_cast<Index>(num_slots - dead.size());
     if (bytes_of_filled <= bytes_of_ranked || dead.empty() || dead.front() >= m_end_of_kept)
-      m_filled = Filled_slots<Index>(num_slots, std::move(dead));
+      m_filled = Filled_slots<Index>(num_slots, std::move(dead), true);
     else {
       std::vector<bool> is_dead(num_slots, false);
       for (const Index slot : dead)

@@ -153,7 +153,7 @@ private:
     m_numbering.fans = Schnyder_fans<Index>(m_triangulation.copies(), m_triangulation.first_copy(), m_number);
     for (const auto& fan : m_numbering.fans)
       set_flag(fan.record, 2, Records::has_fans, true);
-    m_numbering.vertices = Filled_slots<Index>(m_num_vertices, m_numbering.fans.further_fans());
+    m_numbering.vertices = Filled_slots<Index>(m_num_vertices, m_numbering.fans.further_fans(), true);
   }
 
   // Vertices are not in the core if something is hidden around them, or if they or a neighbor

@@ -91,7 +91,7 @@ private:
   static Filled_slots<Index> filled(std::size_t num_slots, std::vector<Index>& dead)
   {
     std::sort(dead.begin(), dead.end());
-    return Filled_slots<Index>(num_slots, std::move(dead));
+    return Filled_slots<Index>(num_slots, std::move(dead), true);
   }
 
   const Closed_triangulation<Index>& m_triangulation;
