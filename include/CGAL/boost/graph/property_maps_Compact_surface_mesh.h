@@ -28,26 +28,26 @@
 // at once. One operator after the other, processors would mispredict one branch or two for each.
 
 namespace CGAL {
-namespace internal {
 
-template <class Mesh, class VertexPointMap>
-struct Point_of_face_map
+template <class P, class L, class VertexPointMap>
+struct One_point_from_face_descriptor_map<Compact_surface_mesh<P, L>, VertexPointMap>
 {
+  typedef Compact_surface_mesh<P, L> Mesh;
   typedef typename boost::graph_traits<Mesh>::face_descriptor key_type;
   typedef typename boost::property_traits<VertexPointMap>::value_type value_type;
   typedef typename boost::property_traits<VertexPointMap>::reference reference;
   typedef boost::readable_property_map_tag category;
 
-  Point_of_face_map() = default;
-  Point_of_face_map(const Mesh* pm) : m_pm(const_cast<Mesh*>(pm)), m_vpm(get(vertex_point, *m_pm)) {}
-  Point_of_face_map(const Mesh* pm, VertexPointMap vpm) : m_pm(const_cast<Mesh*>(pm)), m_vpm(vpm) {}
+  One_point_from_face_descriptor_map() = default;
+  One_point_from_face_descriptor_map(const Mesh* pm) : m_pm(const_cast<Mesh*>(pm)), m_vpm(get(vertex_point, *m_pm)) {}
+  One_point_from_face_descriptor_map(const Mesh* pm, VertexPointMap vpm) : m_pm(const_cast<Mesh*>(pm)), m_vpm(vpm) {}
 
-  friend reference get(const Point_of_face_map& map, key_type f)
+  friend reference get(const One_point_from_face_descriptor_map& map, key_type f)
   {
     return get(map.m_vpm, typename Mesh::Vertex_index(map.m_pm->layout().vertex_of_face(f)));
   }
 
-  friend reference get(const Point_of_face_map& map, const std::pair<key_type, const Mesh*>& f)
+  friend reference get(const One_point_from_face_descriptor_map& map, const std::pair<key_type, const Mesh*>& f)
   {
     return get(map, f.first);
   }
@@ -56,26 +56,27 @@ struct Point_of_face_map
   VertexPointMap m_vpm;
 };
 
-template <class Mesh, class VertexPointMap>
-struct Triangle_of_face_map
+template <class P, class L, class VertexPointMap>
+struct Triangle_from_face_descriptor_map<Compact_surface_mesh<P, L>, VertexPointMap>
 {
+  typedef Compact_surface_mesh<P, L> Mesh;
   typedef typename boost::property_traits<VertexPointMap>::value_type Point_3;
   typedef typename boost::graph_traits<Mesh>::face_descriptor key_type;
   typedef typename Kernel_traits<Point_3>::Kernel::Triangle_3 value_type;
   typedef value_type reference;
   typedef boost::readable_property_map_tag category;
 
-  Triangle_of_face_map() = default;
-  Triangle_of_face_map(const Mesh* tm) : m_tm(const_cast<Mesh*>(tm)), m_vpm(get(vertex_point, *m_tm)) {}
-  Triangle_of_face_map(const Mesh* tm, VertexPointMap vpm) : m_tm(const_cast<Mesh*>(tm)), m_vpm(vpm) {}
+  Triangle_from_face_descriptor_map() = default;
+  Triangle_from_face_descriptor_map(const Mesh* tm) : m_tm(const_cast<Mesh*>(tm)), m_vpm(get(vertex_point, *m_tm)) {}
+  Triangle_from_face_descriptor_map(const Mesh* tm, VertexPointMap vpm) : m_tm(const_cast<Mesh*>(tm)), m_vpm(vpm) {}
 
-  friend value_type get(const Triangle_of_face_map& map, key_type f)
+  friend value_type get(const Triangle_from_face_descriptor_map& map, key_type f)
   {
     const std::array<typename Mesh::Vertex_index, 3> v = map.m_tm->vertices_of_face(f);
     return value_type(get(map.m_vpm, v[0]), get(map.m_vpm, v[1]), get(map.m_vpm, v[2]));
   }
 
-  friend value_type get(const Triangle_of_face_map& map, const std::pair<key_type, const Mesh*>& f)
+  friend value_type get(const Triangle_from_face_descriptor_map& map, const std::pair<key_type, const Mesh*>& f)
   {
     return get(map, f.first);
   }
@@ -84,34 +85,22 @@ struct Triangle_of_face_map
   VertexPointMap m_vpm;
 };
 
-} // namespace internal
-
-template <class P, class L, class VertexPointMap>
-struct One_point_from_face_descriptor_map<Compact_surface_mesh<P, L>, VertexPointMap>
-  : internal::Point_of_face_map<Compact_surface_mesh<P, L>, VertexPointMap>
-{
-  using internal::Point_of_face_map<Compact_surface_mesh<P, L>, VertexPointMap>::Point_of_face_map;
-};
+// The same of a graph whose type is const.
 
 template <class P, class L, class VertexPointMap>
 struct One_point_from_face_descriptor_map<const Compact_surface_mesh<P, L>, VertexPointMap>
-  : internal::Point_of_face_map<Compact_surface_mesh<P, L>, VertexPointMap>
+  : One_point_from_face_descriptor_map<Compact_surface_mesh<P, L>, VertexPointMap>
 {
-  using internal::Point_of_face_map<Compact_surface_mesh<P, L>, VertexPointMap>::Point_of_face_map;
-};
-
-template <class P, class L, class VertexPointMap>
-struct Triangle_from_face_descriptor_map<Compact_surface_mesh<P, L>, VertexPointMap>
-  : internal::Triangle_of_face_map<Compact_surface_mesh<P, L>, VertexPointMap>
-{
-  using internal::Triangle_of_face_map<Compact_surface_mesh<P, L>, VertexPointMap>::Triangle_of_face_map;
+  using Base = One_point_from_face_descriptor_map<Compact_surface_mesh<P, L>, VertexPointMap>;
+  using Base::Base;
 };
 
 template <class P, class L, class VertexPointMap>
 struct Triangle_from_face_descriptor_map<const Compact_surface_mesh<P, L>, VertexPointMap>
-  : internal::Triangle_of_face_map<Compact_surface_mesh<P, L>, VertexPointMap>
+  : Triangle_from_face_descriptor_map<Compact_surface_mesh<P, L>, VertexPointMap>
 {
-  using internal::Triangle_of_face_map<Compact_surface_mesh<P, L>, VertexPointMap>::Triangle_of_face_map;
+  using Base = Triangle_from_face_descriptor_map<Compact_surface_mesh<P, L>, VertexPointMap>;
+  using Base::Base;
 };
 
 } // namespace CGAL
