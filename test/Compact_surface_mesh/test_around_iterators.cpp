@@ -11,6 +11,8 @@
 #include <CGAL/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/layouts/Corner_table_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/Input_order_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/Schnyder_fronts_layout.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -57,7 +59,8 @@ template <class Layout>
 struct Around_iterators
   : public ::testing::Test
 {};
-using Layouts = ::testing::Types<CGAL::Schnyder_parents_layout<>, CGAL::Corner_table_layout<> >;
+using Layouts = ::testing::Types<CGAL::Schnyder_parents_layout<>, CGAL::Input_order_layout<>,
+                                 CGAL::Schnyder_fronts_layout<4>, CGAL::Corner_table_layout<> >;
 TYPED_TEST_SUITE(Around_iterators, Layouts);
 
 // Goes from h around once and back.
@@ -167,6 +170,20 @@ TYPED_TEST(Around_iterators, go_where_the_operators_go)
   using Mesh = CGAL::Compact_surface_mesh<Point, TypeParam>;
   expect_all(mesh_of_everything<Mesh>());
   expect_all(sphere<Mesh>());
+}
+
+TYPED_TEST(Around_iterators, find_nothing_around_no_halfedge)
+{
+  using Mesh = CGAL::Compact_surface_mesh<Point, TypeParam>;
+  using Iterator = CGAL::Vertex_around_face_iterator<Mesh>;
+  const Mesh mesh = sphere<Mesh>();
+  const auto none = boost::graph_traits<Mesh>::null_halfedge();
+  EXPECT_FALSE(mesh.layout().is_in_triangle(TypeParam::null_index()));
+  EXPECT_TRUE(CGAL::vertices_around_face(none, mesh).empty());
+  EXPECT_TRUE(CGAL::halfedges_around_face(none, mesh).empty());
+  const Iterator some(*halfedges(mesh).begin(), mesh);
+  EXPECT_NE(Iterator(none, mesh), some);
+  EXPECT_NE(some, Iterator(none, mesh));
 }
 
 TYPED_TEST(Around_iterators, can_be_made_without_a_mesh)

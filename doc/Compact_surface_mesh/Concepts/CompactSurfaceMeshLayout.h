@@ -109,7 +109,7 @@ Index target(Halfedge h) const;
 /// the face to the left of `h`, `null_index()` on a border.
 Index face(Halfedge h) const;
 /// whether `h` is known to be a side of a triangle. Never `true` if it is not, but `false` also where it takes
-/// time to find out.
+/// time to find out, and of `null_index()`.
 bool is_in_triangle(Halfedge h) const;
 /// the vertices of the triangle of `h` counterclockwise, from its target on, with the precondition `is_in_triangle(h)`.
 std::array<Index, 3> vertices_of_triangle(Halfedge h) const;

@@ -85,7 +85,7 @@ using Around_face = At_halfedge<Mesh, counts, &Mesh::next, &Mesh::prev>;
 
 // In a triangle all three vertices are read at once, and every step is a third of a round. Around other faces
 // the position is that of their sides; this part is called, so that the rest is small enough to be
-// inlined and unrolled.
+// inlined. Loops around triangles are unrolled: they count from a constant to a constant, and compare nothing else.
 template <class Mesh, bool counts>
 class Around_face_vertices
 {
@@ -95,7 +95,7 @@ class Around_face_vertices
 public:
   Around_face_vertices() = default;
   BOOST_FORCEINLINE Around_face_vertices(Halfedge h, const Mesh& g, unsigned round)
-    : m_halfedge(h), m_start(h), m_thirds(h.is_valid() ? 3 * round : 3)
+    : m_halfedge(h), m_start(h), m_thirds(3 * round)
   {
     if (m_thirds == 0)
       read(g, is_in_triangle(g));
@@ -105,8 +105,8 @@ public:
 
   BOOST_FORCEINLINE bool equals(const Mesh& g, const Around_face_vertices& other) const
   {
-    if (BOOST_LIKELY(m_start == other.m_start))
-      return m_thirds == other.m_thirds && m_halfedge == other.m_halfedge;
+    if (BOOST_LIKELY(m_was_in_triangle && m_start == other.m_start))
+      return m_thirds == other.m_thirds;
     return is_same(g, *this, other);
   }
 
@@ -163,10 +163,12 @@ private:
 
   static BOOST_NOINLINE bool is_same(const Mesh& g, Around_face_vertices a, Around_face_vertices b)
   {
+    if (!a.m_start.is_valid() || !b.m_start.is_valid())
+      return a.m_start == b.m_start; // around no face, the first vertex is past the end
     return a.halfedge(g) == b.halfedge(g) && (!counts || a.m_thirds / 3 == b.m_thirds / 3);
   }
   static BOOST_NOINLINE Halfedge called_next(const Mesh& g, Halfedge h) { return g.next(h); }
-  static BOOST_NOINLINE Vertex called_target(const Mesh& g, Halfedge h) { return g.target(h); }
+  static BOOST_NOINLINE Vertex called_target(const Mesh& g, Halfedge h) { return h.is_valid() ? g.target(h) : Vertex(); }
 
   Halfedge m_halfedge, m_start;
   unsigned m_thirds = 0;          // of a round

@@ -135,7 +135,10 @@ public:
     return m_mask.empty() ? m_corners.face(h) : masked([this, h] { return m_mask.face(m_corners, h); });
   }
   /// returns whether `h` is known to be a side of a triangle: always so in meshes without polygons.
-  bool is_in_triangle(Index h) const { return m_mask.empty() && m_corners.face(h) != null_index(); }
+  bool is_in_triangle(Index h) const
+  {
+    return m_mask.empty() && h != null_index() && m_corners.face(h) != null_index();
+  }
   /// returns the vertices of the triangle of `h` counterclockwise, from its target on, if `is_in_triangle(h)`.
   BOOST_FORCEINLINE std::array<Index, 3> vertices_of_triangle(Index h) const
   {
