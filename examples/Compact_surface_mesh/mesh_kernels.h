@@ -198,9 +198,6 @@ struct By_stars
   {
     mesh.for_each_incident_triangle(v, visit);
   }
-
-  template <class Face, class Mesh>
-  static auto vertices_of_face(Face f, const Mesh& mesh) { return mesh.vertices_of_face(f); }
 };
 
 /// `By_stars` if `Mesh` has them, otherwise `By_operators`, which asks no more than is needed.
@@ -211,10 +208,23 @@ struct Fastest_way
 };
 
 template <class Mesh>
-struct Fastest_way<Mesh, std::void_t<decltype(&Mesh::vertices_of_face)> >
+struct Fastest_way<Mesh, std::void_t<decltype(std::declval<const Mesh&>().vertices_of_face({}))> >
 {
   using type = By_stars;
 };
+
+/// calls `visit(u, v, w)` with the first three vertices of each face.
+template <class Access, class Mesh, class Visitor>
+void for_each_face(const Mesh& mesh, const Visitor& visit)
+{
+  if constexpr (std::is_same<Access, By_stars>::value)
+    mesh.for_each_face([&](auto, auto u, auto v, auto w) { visit(u, v, w); });
+  else
+    for (const auto f : faces(mesh)) {
+      const auto v = Access::vertices_of_face(f, mesh);
+      visit(v[0], v[1], v[2]);
+    }
+}
 
 /// @}
 
@@ -263,11 +273,10 @@ template <class Access, class Mesh, class Label>
 double sum_over_faces(const Mesh& mesh, const Label& label)
 {
   std::uint64_t sum = 0;
-  for (const auto f : faces(mesh)) {
-    const auto v = Access::vertices_of_face(f, mesh);
-    const std::uint64_t a = label(v[0]), b = label(v[1]), c = label(v[2]);
+  for_each_face<Access>(mesh, [&](auto u, auto v, auto w) {
+    const std::uint64_t a = label(u), b = label(v), c = label(w);
     sum += (a - b) * (b - c) * (c - a);
-  }
+  });
   return static_cast<double>(sum >> 12); // exact
 }
 

@@ -45,6 +45,8 @@ public:
     if (m_difference.empty())
       check_halfedges();
     if (m_difference.empty())
+      check_each_face();
+    if (m_difference.empty())
       check_elements();
     if (m_difference.empty())
       check_stars();
@@ -130,6 +132,17 @@ private:
     Index g = first;
     for (int i = 0; i < 3; ++i, g = m_layout.next(g))
       expect(vertices[i] == m_layout.target(g), "vertices of a face", h);
+  }
+
+  void check_each_face()
+  {
+    std::size_t n = 0;
+    m_layout.for_each_face([&](Index f, Index u, Index v, Index w) {
+      const std::array<Index, 3> vertices{ u, v, w };
+      expect(f == n && n < m_layout.num_faces() && m_layout.vertices_of_face(f) == vertices, "each face", n);
+      ++n;
+    });
+    expect(n == m_layout.num_faces(), "number of visited faces", n);
   }
 
   void check_elements()

@@ -139,8 +139,9 @@ public:
     for (const Check check :
          {&Surface_oracle::check_counts, &Surface_oracle::map_vertices, &Surface_oracle::map_halfedges,
           &Surface_oracle::check_halfedges, &Surface_oracle::check_sides, &Surface_oracle::check_borders,
-          &Surface_oracle::check_edges, &Surface_oracle::check_faces, &Surface_oracle::check_vertices,
-          &Surface_oracle::check_stars, &Surface_oracle::check_vertices_that_are_not_adjacent})
+          &Surface_oracle::check_edges, &Surface_oracle::check_faces, &Surface_oracle::check_each_face,
+          &Surface_oracle::check_vertices, &Surface_oracle::check_stars,
+          &Surface_oracle::check_vertices_that_are_not_adjacent})
       if (m_difference.empty())
         (this->*check)();
     return m_difference;
@@ -272,6 +273,17 @@ private:
         g = m_layout.next(g);
       }
     }
+  }
+
+  void check_each_face()
+  {
+    std::size_t n = 0;
+    m_layout.for_each_face([&](Index f, Index u, Index v, Index w) {
+      const std::array<Index, 3> vertices{ u, v, w };
+      expect(f == n && n < m_layout.num_faces() && m_layout.vertices_of_face(f) == vertices, "each face", face(n));
+      ++n;
+    });
+    expect(n == m_layout.num_faces(), "number of visited faces", face(n));
   }
 
   void check_vertices()

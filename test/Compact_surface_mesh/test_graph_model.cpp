@@ -34,6 +34,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -321,6 +322,14 @@ TYPED_TEST(Graph_model, stars_agree_however_they_are_walked)
     ASSERT_TRUE(std::equal(range.begin(), range.end(), corners.begin()));
     ASSERT_EQ(degree(f, mesh), 3u);
   }
+  auto face = mesh.faces().begin();
+  mesh.for_each_face([&](typename TestFixture::F f, V u, V v, V w) {
+    ASSERT_NE(face, mesh.faces().end());
+    EXPECT_EQ(f, *face);
+    EXPECT_EQ(mesh.vertices_of_face(f), (std::array<V, 3>{u, v, w}));
+    ++face;
+  });
+  EXPECT_EQ(face, mesh.faces().end());
 }
 
 template <class GraphOfMap, class Mesh>

@@ -109,6 +109,15 @@ public:
     return vertices_of_triangle(h);
   }
 
+  template <class Visitor>
+  void for_each_face(Visitor&& visit) const
+  {
+    for (Index f = 0; f < num_faces(); ++f) {
+      const std::array<Index, 3> v = vertices_of_face(f);
+      visit(f, v[0], v[1], v[2]);
+    }
+  }
+
   bool is_in_triangle(Index h) const { return !m_mesh.is_border(H(h)) && next(next(next(h))) == h; }
   std::array<Index, 3> vertices_of_triangle(Index h) const { return {{target(h), target(next(h)), source(h)}}; }
 
@@ -132,7 +141,8 @@ enum Operator
   NUM_VERTICES, NUM_HALFEDGES, NUM_EDGES, NUM_FACES,
   NEXT, PREV, OPPOSITE, SOURCE, TARGET, FACE, EDGE,
   HALFEDGE_OF_EDGE, HALFEDGE_OF_VERTEX, HALFEDGE_OF_FACE, VERTEX_OF_FACE, HALFEDGE,
-  ADJACENT_VERTICES, INCIDENT_TRIANGLES, DEGREE, VERTICES_OF_FACE, IS_IN_TRIANGLE, VERTICES_OF_TRIANGLE, NUM_OPERATORS
+  ADJACENT_VERTICES, INCIDENT_TRIANGLES, DEGREE, VERTICES_OF_FACE, EACH_FACE,
+  IS_IN_TRIANGLE, VERTICES_OF_TRIANGLE, NUM_OPERATORS
 };
 
 // A layout with some answers replaced by others. In whole stars and faces, the answer takes
@@ -199,6 +209,16 @@ public:
     std::array<Index, 3> vertices = m_sound.vertices_of_face(f);
     vertices[0] = answer(VERTICES_OF_FACE, f, vertices[0]);
     return vertices;
+  }
+
+  template <class Visitor>
+  void for_each_face(Visitor&& visit) const
+  {
+    m_sound.for_each_face([&](Index f, Index u, Index v, Index w) {
+      const Index x = answer(EACH_FACE, f, u);
+      if (x != null_index())
+        visit(f, x, v, w);
+    });
   }
 
   bool is_in_triangle(Index h) const { return answer(IS_IN_TRIANGLE, h, Index(m_sound.is_in_triangle(h))) != 0; }
@@ -322,7 +342,7 @@ std::size_t num_elements(const Surface_mesh_layout& sound, Operator op)
   switch (op) {
   case NUM_VERTICES: case NUM_HALFEDGES: case NUM_EDGES: case NUM_FACES: return 1;
   case HALFEDGE_OF_EDGE: return sound.num_edges();
-  case HALFEDGE_OF_FACE: case VERTEX_OF_FACE: case VERTICES_OF_FACE: return sound.num_faces();
+  case HALFEDGE_OF_FACE: case VERTEX_OF_FACE: case VERTICES_OF_FACE: case EACH_FACE: return sound.num_faces();
   case HALFEDGE_OF_VERTEX: case ADJACENT_VERTICES: case INCIDENT_TRIANGLES: case DEGREE: return sound.num_vertices();
   case HALFEDGE: return sound.num_vertices() * sound.num_vertices();
   default: return sound.num_halfedges();

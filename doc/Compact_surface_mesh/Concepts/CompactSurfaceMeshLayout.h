@@ -149,6 +149,10 @@ Index degree(Index v) const;
 /// polygon, only the first three.
 std::array<Index, 3> vertices_of_face(Index f) const;
 
+/// calls `visit(f, u, v, w)` for each face `f` in their order, where `u`, `v`, `w` are `vertices_of_face(f)`.
+template <class Visitor>
+void for_each_face(Visitor&& visit) const;
+
 /// @}
 
 /// \name Memory

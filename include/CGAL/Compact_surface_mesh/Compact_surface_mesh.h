@@ -486,6 +486,15 @@ public:
     const std::array<size_type, 3> v = m_layout.vertices_of_face(f);
     return {{ Vertex_index(v[0]), Vertex_index(v[1]), Vertex_index(v[2]) }};
   }
+
+  /// calls `visit(f, u, v, w)` for each face `f` in the order of `faces()`, where `u`, `v`, `w` are `vertices_of_face(f)`.
+  template <class Visitor>
+  void for_each_face(Visitor&& visit) const
+  {
+    m_layout.for_each_face([&](size_type f, size_type u, size_type v, size_type w) {
+      visit(Face_index(f), Vertex_index(u), Vertex_index(v), Vertex_index(w));
+    });
+  }
   /// @}
 
   /// \name Borders

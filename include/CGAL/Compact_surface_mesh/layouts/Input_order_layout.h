@@ -13,6 +13,7 @@
 #include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/Input_images.h>
 #include <CGAL/Compact_surface_mesh/layouts/Schnyder_parents_layout.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/for_each_face_from.h>
 
 #include <array>
 #include <cstddef>
@@ -224,6 +225,13 @@ public:
   std::array<Index, 3> vertices_of_face(Index f) const
   {
     return input(m_base.vertices_of_face(m_faces.image(f)));
+  }
+
+  /// calls `visit(f, u, v, w)` for each face `f` in their order, where `u`, `v`, `w` are `vertices_of_face(f)`.
+  template <class Visitor>
+  void for_each_face(Visitor&& visit) const
+  {
+    internal::for_each_face_from(0, *this, visit);
   }
   /// @}
 

@@ -21,6 +21,7 @@
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_fronts_records.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_triangles.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/around_vertex.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/for_each_face_from.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/wood_of_triangulation.h>
 #include <CGAL/Schnyder_woods/Shelling_order.h>
 
@@ -314,6 +315,13 @@ public:
     }
     const Side s = side(h), t = core().next(s), u = core().prev(s);
     return { core().vertex_between(s, t), core().vertex_between(t, u), core().vertex_between(u, s) };
+  }
+
+  /// calls `visit(f, u, v, w)` for each face `f` in their order, where `u`, `v`, `w` are `vertices_of_face(f)`.
+  template <class Visitor>
+  void for_each_face(Visitor&& visit) const
+  {
+    internal::for_each_face_from(0, *this, visit);
   }
 
   /// @}

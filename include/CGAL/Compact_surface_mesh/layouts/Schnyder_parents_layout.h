@@ -24,6 +24,7 @@
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_zone.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_triangles.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/chosen.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/for_each_face_from.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/wood_of_triangulation.h>
 #include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
 
@@ -340,6 +341,19 @@ public:
     if (BOOST_UNLIKELY(x >= m_numbering.core))
       return vertices_of_face_outside(f);
     return f & 1 ? vertices_of_b(x) : vertices_of_a(x);
+  }
+
+  /// calls `visit(f, u, v, w)` for each face `f` in their order, where `u`, `v`, `w` are `vertices_of_face(f)`.
+  template <class Visitor>
+  BOOST_FORCEINLINE void for_each_face(Visitor&& visit) const
+  {
+    const Index core = m_numbering.core;
+    for (Index x = 0; x < core; ++x) {
+      const std::array<Index, 3> a = vertices_of_a(x), b = vertices_of_b(x);
+      visit(static_cast<Index>(2 * x), a[0], a[1], a[2]);
+      visit(static_cast<Index>(2 * x + 1), b[0], b[1], b[2]);
+    }
+    internal::for_each_face_from(static_cast<Index>(2 * core), *this, visit);
   }
 
   /// @}

@@ -17,6 +17,7 @@
 #include <CGAL/Compact_surface_mesh/layouts/internal/Ranked_edges.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Triangle_numbering.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/around_vertex.h>
+#include <CGAL/Compact_surface_mesh/layouts/internal/for_each_face_from.h>
 
 #include <boost/config.hpp>
 
@@ -204,6 +205,13 @@ public:
   {
     const Index h = halfedge_of_face(f), g = next(h);
     return { target(h), target(g), target(next(g)) };
+  }
+
+  /// calls `visit(f, u, v, w)` for each face `f` in their order, where `u`, `v`, `w` are `vertices_of_face(f)`.
+  template <class Visitor>
+  void for_each_face(Visitor&& visit) const
+  {
+    internal::for_each_face_from(0, *this, visit);
   }
   /// @}
 
