@@ -23,7 +23,6 @@
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_star.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_parents_zone.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/Schnyder_triangles.h>
-#include <CGAL/Compact_surface_mesh/layouts/internal/chosen.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/for_each_face_from.h>
 #include <CGAL/Compact_surface_mesh/layouts/internal/wood_of_triangulation.h>
 #include <CGAL/Schnyder_woods/internal/Schnyder_wood.h>
@@ -181,9 +180,9 @@ public:
   BOOST_FORCEINLINE Halfedge next(Halfedge h) const
   {
     if (BOOST_LIKELY(is_in_core(h))) {
-      const Halfedge found = halfedge_of_side(core().next(side(h)));
-      if (BOOST_LIKELY(is_in_core(found)))
-        return found;
+      const Side s = core().next(side(h));
+      if (BOOST_LIKELY(s.x < m_numbering.core))
+        return Halfedge::of(s.x, s.k);
     }
     return next_outside(h);
   }
@@ -192,9 +191,9 @@ public:
   BOOST_FORCEINLINE Halfedge prev(Halfedge h) const
   {
     if (BOOST_LIKELY(is_in_core(h))) {
-      const Halfedge found = halfedge_of_side(core().prev(side(h)));
-      if (BOOST_LIKELY(is_in_core(found)))
-        return found;
+      const Side s = core().prev(side(h));
+      if (BOOST_LIKELY(s.x < m_numbering.core))
+        return Halfedge::of(s.x, s.k);
     }
     return prev_outside(h);
   }
@@ -278,7 +277,7 @@ public:
   {
     const Index x = f / 2;
     if (BOOST_LIKELY(x < m_numbering.core))
-      return internal::chosen(f & 1, x, m_records.red_parent(x));
+      return chosen(f & 1, x, m_records.red_parent(x));
     return target_outside(halfedge_of_face_outside(f));
   }
 
@@ -378,22 +377,25 @@ private:
   BOOST_FORCEINLINE std::array<Index, 3> vertices_of_a(Index x) const
   {
     const Index p = m_records.red_parent(x);
-    return { p, internal::chosen(m_records.is_first(x), m_records.blue_parent(p), static_cast<Index>(x - 1)), x };
+    return { p, chosen(m_records.is_first(x), m_records.blue_parent(p), static_cast<Index>(x - 1)), x };
   }
   BOOST_FORCEINLINE std::array<Index, 3> vertices_of_b(Index x) const
   {
-    return { x, internal::chosen(m_records.is_leaf(x), m_records.blue_parent(x), m_records.last_child(x)),
+    return { x, chosen(m_records.is_leaf(x), m_records.blue_parent(x), m_records.last_child(x)),
              m_records.black_parent(x) };
+  }
+  // Masks take one of two, where processors cannot guess which it is.
+  static Index chosen(bool first, Index a, Index b)
+  {
+    return static_cast<Index>(b ^ ((a ^ b) & static_cast<Index>(0 - static_cast<Index>(first))));
   }
 
   Core core() const { return Core{ m_records, {} }; }
   Inner inner() const { return Inner{ m_records, { m_records, m_numbering } }; }
   Triangles triangles() const { return Triangles({ m_records, Zone{ m_records, m_numbering } }, m_numbering); }
   Everything everything() const { return Everything(triangles(), m_mask); }
-  // By the record, which is the same for the opposite halfedge: what is found to be in the core is not asked again.
-  bool is_in_core(Halfedge h) const { return h.quotient() < m_numbering.core; }
+  bool is_in_core(Halfedge h) const { return h.code() < 8 * m_numbering.core; }
   static Side side(Halfedge h) { return { h.quotient(), h.remainder() }; }
-  static Halfedge halfedge_of_side(Side s) { return Halfedge::of(s.x, s.k); }
 
   BOOST_NOINLINE Index third_vertex(Halfedge h) const { return target(next(h)); }
 
@@ -429,7 +431,7 @@ private:
   }
 
   bool keeps_slot(Side s) const { return s.x < m_numbering.end_of_kept && !m_records.is_irregular(s.x, s.k / 2); }
-  Halfedge number(Side s) const { return BOOST_LIKELY(keeps_slot(s)) ? halfedge_of_side(s) : number_elsewhere(s); }
+  Halfedge number(Side s) const { return BOOST_LIKELY(keeps_slot(s)) ? Halfedge::of(s.x, s.k) : number_elsewhere(s); }
   Index number(Face f) const
   {
     return BOOST_LIKELY(f.x < m_numbering.end_of_kept) ? static_cast<Index>(2 * f.x + f.owner) : number_elsewhere(f);

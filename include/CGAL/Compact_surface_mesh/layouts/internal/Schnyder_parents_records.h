@@ -11,7 +11,6 @@
 #include <CGAL/license/Compact_surface_mesh.h>
 
 #include <CGAL/Compact_surface_mesh/internal/Large_array.h>
-#include <CGAL/Compact_surface_mesh/layouts/internal/chosen.h>
 
 #include <boost/config.hpp>
 
@@ -172,14 +171,8 @@ public:
     }
   }
 
-  // The next one clockwise in the in-blue list of blue_parent(x), if there are more: the black parent of a leaf, else the
-  // first child.
-  BOOST_FORCEINLINE Index next_in_blue(Index x) const
-  {
-    const Index c = records[x].word[3];
-    return BOOST_LIKELY((c & flag_mask) != many) ? chosen(is_leaf(x), black_parent(x), static_cast<Index>(c >> flag_bits))
-                                                 : long_lists[c >> flag_bits].first_child;
-  }
+  // The next one clockwise in the in-blue list of blue_parent(x), if there are more.
+  Index next_in_blue(Index x) const { return is_leaf(x) ? black_parent(x) : first_child(x); }
 };
 
 } // namespace internal
