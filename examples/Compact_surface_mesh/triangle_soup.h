@@ -207,10 +207,7 @@ Triangle_soup soup_of_mesh(const Mesh& mesh)
   soup.triangles.reserve(num_faces(mesh));
   for (const auto v : vertices(mesh))
     soup.points.push_back(mesh.point(v));
-  for (const auto f : faces(mesh)) {
-    const auto v = mesh.vertices_of_face(f);
-    soup.triangles.push_back({ v[0].idx(), v[1].idx(), v[2].idx() });
-  }
+  mesh.for_each_face([&](auto, auto u, auto v, auto w) { soup.triangles.push_back({ u.idx(), v.idx(), w.idx() }); });
   return soup;
 }
 
