@@ -218,7 +218,7 @@ public:
   }
 
   /// returns whether `h` is known to be a side of a triangle.
-  bool is_in_triangle(Halfedge h) const { return h != null_index() && is_plain(h); }
+  bool is_in_triangle(Halfedge h) const { return !h.is_null() && is_plain(h); }
   /// returns the vertices of the triangle of `h` counterclockwise, from its target on, if `is_in_triangle(h)`.
   BOOST_FORCEINLINE std::array<Index, 3> vertices_of_triangle(Halfedge h) const
   {

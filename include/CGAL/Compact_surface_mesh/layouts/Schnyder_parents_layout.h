@@ -452,7 +452,7 @@ private:
 
   BOOST_NOINLINE bool is_in_triangle_outside(Halfedge h) const
   {
-    return keeps_slot(side(h)) || (m_mask.empty() && h != null_index() && triangles().face(h) != null_index());
+    return keeps_slot(side(h)) || (m_mask.empty() && !h.is_null() && triangles().face(h) != null_index());
   }
 
   BOOST_NOINLINE std::array<Index, 3> vertices_of_triangle_outside(Halfedge h) const
