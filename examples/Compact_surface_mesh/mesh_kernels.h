@@ -208,7 +208,7 @@ struct Fastest_way
 };
 
 template <class Mesh>
-struct Fastest_way<Mesh, std::void_t<decltype(std::declval<const Mesh&>().vertices_of_face({}))> >
+struct Fastest_way<Mesh, std::void_t<decltype(&Mesh::vertices_of_face)> >
 {
   using type = By_stars;
 };

@@ -8,6 +8,8 @@
 #ifndef TEST_COMPACT_SURFACE_MESH_LAYOUT_ORACLE_H
 #define TEST_COMPACT_SURFACE_MESH_LAYOUT_ORACLE_H
 
+#include "each_face_oracle.h"
+
 #include <CGAL/Compact_surface_mesh/Closed_triangulation.h>
 #include <CGAL/Compact_surface_mesh/Corner_table.h>
 #include <CGAL/Compact_surface_mesh/Input_images.h>
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -136,13 +139,8 @@ private:
 
   void check_each_face()
   {
-    std::size_t n = 0;
-    m_layout.for_each_face([&](Index f, Index u, Index v, Index w) {
-      const std::array<Index, 3> vertices{ u, v, w };
-      expect(f == n && n < m_layout.num_faces() && m_layout.vertices_of_face(f) == vertices, "each face", n);
-      ++n;
-    });
-    expect(n == m_layout.num_faces(), "number of visited faces", n);
+    const std::optional<std::size_t> wrong = first_wrong_visit(m_layout);
+    expect(!wrong, "each face", wrong.value_or(0));
   }
 
   void check_elements()

@@ -11,11 +11,13 @@
 // What every operator of a layout must answer about a surface of any kind, known from
 // nothing but the sides of its faces.
 
+#include "each_face_oracle.h"
 #include "soup_oracle.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -277,13 +279,8 @@ private:
 
   void check_each_face()
   {
-    std::size_t n = 0;
-    m_layout.for_each_face([&](Index f, Index u, Index v, Index w) {
-      const std::array<Index, 3> vertices{ u, v, w };
-      expect(f == n && n < m_layout.num_faces() && m_layout.vertices_of_face(f) == vertices, "each face", face(n));
-      ++n;
-    });
-    expect(n == m_layout.num_faces(), "number of visited faces", face(n));
+    const std::optional<std::size_t> wrong = first_wrong_visit(m_layout);
+    expect(!wrong, "each face", face(wrong.value_or(0)));
   }
 
   void check_vertices()

@@ -13,6 +13,8 @@
 #include "surface_oracle.h"
 #include "test_scale.h"
 
+#include <CGAL/Compact_surface_mesh/layouts/internal/for_each_face_from.h>
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -112,10 +114,7 @@ public:
   template <class Visitor>
   void for_each_face(Visitor&& visit) const
   {
-    for (Index f = 0; f < num_faces(); ++f) {
-      const std::array<Index, 3> v = vertices_of_face(f);
-      visit(f, v[0], v[1], v[2]);
-    }
+    CGAL::internal::for_each_face_from(0, *this, visit);
   }
 
   bool is_in_triangle(Index h) const { return !m_mesh.is_border(H(h)) && next(next(next(h))) == h; }

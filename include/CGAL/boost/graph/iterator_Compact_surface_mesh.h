@@ -165,8 +165,6 @@ private:
   {
     if (a.m_start == b.m_start) // around no face, the first vertex is past the end
       return !a.m_start.is_valid() || (a.m_thirds == b.m_thirds && a.m_halfedge == b.m_halfedge);
-    if (!a.m_start.is_valid() || !b.m_start.is_valid())
-      return false;
     return a.halfedge(g) == b.halfedge(g) && (!counts || a.m_thirds / 3 == b.m_thirds / 3);
   }
   static BOOST_NOINLINE Halfedge called_next(const Mesh& g, Halfedge h) { return g.next(h); }
